@@ -1,0 +1,55 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/image/film.h"
+#include "renderer/integrators/parameters.h"
+#include "renderer/parallel/parallel.h"
+#include "renderer/scene/scene.h"
+
+namespace guidelight {
+
+/// Pixels [x0,x1) × [y0,y1).
+struct PixelRegion {
+  int x0 = 0;
+  int y0 = 0;
+  int x1 = 0;
+  int y1 = 0;
+};
+
+/// What a pass needs besides the scene.
+struct PassContext {
+  uint64_t seed = 0;
+  Parallel* parallel = nullptr;          // runs the loops, and says when to stop
+  std::optional<PixelRegion> region;     // only these pixels are rendered
+};
+
+/// An algorithm that renders a scene progressively. It is constructed from a scene and its own settings.
+class Integrator {
+ public:
+  virtual ~Integrator() = default;
+
+  /// Adds pass `pass` to the film: replayable, random numbers depend only on (seed, pass, path index).
+  /// Throws Stopped if the loops were told to stop; the film then holds a part of the pass.
+  virtual void render_pass(uint32_t pass, Film& film, const PassContext& context) = 0;
+};
+
+/// An entry of the list of integrators.
+struct IntegratorInfo {
+  std::string name;     // as on the command line
+  std::string label;    // as in menus
+  std::string summary;  // what it is good at, one sentence
+  std::unique_ptr<IntegratorSettings> (*make_settings)(const RenderHints& hints);
+  /// `settings` must come from make_settings of the same entry.
+  std::unique_ptr<Integrator> (*create)(std::shared_ptr<const Scene> scene,
+                                        const IntegratorSettings& settings);
+};
+
+const std::vector<IntegratorInfo>& integrators();
+/// Throws Error listing the known names.
+const IntegratorInfo& find_integrator(const std::string& name);
+
+}  // namespace guidelight

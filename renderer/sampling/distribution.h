@@ -1,0 +1,57 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "renderer/math/vector.h"
+
+namespace guidelight {
+
+/// Discrete distribution over n ≥ 1 non-negative weights, by inversion (binary search in the CDF).
+/// If all weights are zero it is uniform.
+class DiscreteDistribution {
+ public:
+  struct Sample {
+    uint32_t index;
+    float pmf;       // discrete probability of `index`
+    float remapped;  // u rescaled to [0,1) within the chosen interval, free to be used again
+  };
+
+  DiscreteDistribution() = default;
+  explicit DiscreteDistribution(std::span<const float> weights);
+
+  Sample sample(float u) const;
+  float pmf(uint32_t index) const { return cdf_[index + 1] - cdf_[index]; }
+  uint32_t size() const { return cdf_.empty() ? 0 : static_cast<uint32_t>(cdf_.size() - 1); }
+  /// Sum of the weights as they were given.
+  double total() const { return total_; }
+
+ private:
+  std::vector<float> cdf_;
+  double total_ = 0;
+};
+
+/// Piecewise-constant density on [0,1)², from a row-major grid of non-negative values. Used to sample
+/// images; `pdf` is per unit area of the square. If all values are zero it is uniform.
+class GridDistribution {
+ public:
+  struct Sample {
+    Vec2 position;
+    float pdf;
+  };
+
+  GridDistribution() = default;
+  /// values.size() must be width × height.
+  GridDistribution(std::span<const float> values, int width, int height);
+
+  Sample sample(Vec2 u) const;
+  float pdf(Vec2 position) const;
+
+ private:
+  int width_ = 0;
+  int height_ = 0;
+  DiscreteDistribution rows_;
+  std::vector<DiscreteDistribution> columns_;  // within each row
+};
+
+}  // namespace guidelight

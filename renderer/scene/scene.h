@@ -1,0 +1,108 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "renderer/sampling/distribution.h"
+#include "renderer/scene/bsdf/bsdf.h"
+#include "renderer/scene/camera.h"
+#include "renderer/scene/description.h"
+#include "renderer/scene/light/light.h"
+#include "renderer/scene/medium.h"
+#include "renderer/scene/shape.h"
+
+namespace guidelight {
+
+class Accelerator;
+
+/// The immutable run-time form of a SceneDescription: everything an integrator asks of a scene. Shared by
+/// shared_ptr<const Scene>; an edit makes a new one that shares what did not change.
+class Scene : public std::enable_shared_from_this<Scene> {
+ public:
+  /// Throws Error for a description that cannot be rendered.
+  static std::shared_ptr<const Scene> build(std::shared_ptr<const SceneDescription> description);
+
+  ~Scene();
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  /// The same scene through another camera; shares everything else.
+  std::shared_ptr<const Scene> with_camera(const Camera& camera) const;
+
+  const SceneDescription& description() const { return *content_->description; }
+  const Camera& camera() const { return camera_; }
+  Bounds bounds() const { return content_->bounds; }
+
+  // -- Geometry. Rays are traced against everything but the camera; invalid hits are misses.
+  Hit intersect(const Ray& ray) const;
+  bool occluded(const Ray& ray) const;
+  /// Batches, faster than one by one; `hits`/`blocked` have the size of `rays`.
+  void intersect(std::span<const Ray> rays, std::span<Hit> hits) const;
+  void occluded(std::span<const Ray> rays, std::span<uint8_t> blocked) const;
+  /// The full surface record of a valid hit, with normal maps applied.
+  SurfacePoint surface_point(const Ray& ray, const Hit& hit) const;
+
+  // -- Lights. Every light is chosen by a fixed probability.
+  std::span<const std::unique_ptr<Light>> lights() const { return content_->lights; }
+  /// Those at infinity; escaped rays see the sum of them.
+  std::span<const Light* const> infinite_lights() const { return content_->infinite_lights; }
+  struct LightChoice {
+    const Light* light;
+    float probability;
+    float remapped;  // u, free to be used again
+  };
+  /// Empty if the scene has no light.
+  std::optional<LightChoice> choose_light(float u) const;
+  float light_probability(const Light& light) const;
+
+  const Medium* camera_medium() const;
+
+  struct Statistics {
+    size_t shapes = 0;
+    size_t triangles = 0;
+    size_t instances = 0;
+    size_t lights = 0;
+    size_t bytes = 0;  // geometry, BVH and textures, approximate
+  };
+  Statistics statistics() const;
+
+ private:
+  struct ShapeBinding {
+    std::unique_ptr<Shape> shape;
+    std::shared_ptr<const Bsdf> bsdf;
+    const Light* light = nullptr;
+    const Medium* interior = nullptr;
+    const Medium* exterior = nullptr;
+    bool is_medium_boundary = false;
+  };
+  struct InstanceBinding {
+    Mat4 to_world;
+    Mat4 to_local;
+    float determinant_sign;
+  };
+  struct Content {
+    std::shared_ptr<const SceneDescription> description;
+    TextureList textures;
+    BsdfList bsdfs;
+    std::vector<Medium> media;
+    std::vector<ShapeBinding> shapes;
+    std::vector<InstanceBinding> instances;
+    std::vector<std::unique_ptr<Light>> lights;
+    std::vector<const Light*> infinite_lights;
+    DiscreteDistribution light_distribution;
+  
+    Bounds bounds;
+    std::unique_ptr<Accelerator> accelerator;
+    ~Content();
+  };
+  class Builder;
+
+  Scene(std::shared_ptr<const Content> content, const Camera& camera);
+
+  std::shared_ptr<const Content> content_;
+  Camera camera_;
+};
+
+}  // namespace guidelight

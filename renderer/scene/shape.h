@@ -1,0 +1,71 @@
+#pragma once
+
+#include <memory>
+
+#include "renderer/scene/description.h"
+#include "renderer/scene/surface_point.h"
+
+namespace guidelight {
+
+/// What an intersection query says about a hit.
+struct Hit {
+  float t = kInfinity;               // in units of the ray's direction; infinity is a miss
+  uint32_t shape = kInvalidIndex;    // index in Scene::shapes()
+  uint32_t primitive = 0;            // triangle of a mesh
+  uint32_t instance = kInvalidIndex; // index in Scene::instances(), if hit through one
+  Vec2 barycentric{0};               // of triangle vertices 1 and 2; unused by analytic shapes
+
+  bool valid() const { return shape != kInvalidIndex; }
+};
+
+struct Bounds {
+  Vec3 lower{kInfinity};
+  Vec3 upper{-kInfinity};
+
+  void extend(Vec3 p) { lower = glm::min(lower, p), upper = glm::max(upper, p); }
+  void extend(const Bounds& b) { lower = glm::min(lower, b.lower), upper = glm::max(upper, b.upper); }
+  bool empty() const { return !(lower.x <= upper.x); }
+  Vec3 center() const { return 0.5f * (lower + upper); }
+  float radius() const { return 0.5f * glm::length(upper - lower); }
+};
+
+/// A point drawn on a shape's surface.
+struct ShapeSample {
+  SurfacePoint point;  // position, normals, uv, offset and primitive are set
+  float pdf_area;      // per unit area
+};
+
+/// Geometry in world space (in the group's space for shapes of a group). Immutable.
+class Shape {
+ public:
+  virtual ~Shape() = default;
+
+  /// Fills position, geometric normal, frame, uv, derivatives, vertex colour and offset of `point`.
+  /// For analytic shapes the position on the ray is projected onto the surface.
+  virtual void fill(const Ray& ray, const Hit& hit, SurfacePoint& point) const = 0;
+
+  /// Uniform in area up to the distortion of an analytic shape's own transform, which pdf_area carries.
+  virtual ShapeSample sample_area(Vec2 u) const = 0;
+  /// Density of sample_area at a point of the surface, per unit area.
+  virtual float pdf_area(const SurfacePoint& point) const = 0;
+
+  /// Draws a point as seen from `reference`; where the shape knows no better way, by sample_area.
+  /// pdf is per solid angle at the reference. Zero pdf means the sample must be dropped.
+  struct SeenSample {
+    SurfacePoint point;
+    float pdf_solid_angle;
+  };
+  virtual SeenSample sample_seen_from(Vec3 reference, Vec2 u) const;
+  /// Density of sample_seen_from, per solid angle at the reference.
+  virtual float pdf_seen_from(Vec3 reference, const SurfacePoint& point) const;
+
+  virtual float area() const = 0;
+  virtual Bounds bounds() const = 0;
+  virtual size_t triangle_count() const { return 0; }
+};
+
+/// Builds the run-time form of a mesh, sphere, disk or cylinder with the extra transform `parent` applied
+/// after its own. Throws Error for geometry that cannot be used (NaN, index out of range, singular).
+std::unique_ptr<Shape> make_shape(const ShapeDescription& description, const Mat4& parent = Mat4(1));
+
+}  // namespace guidelight
