@@ -49,11 +49,13 @@ class Film {
   int height() const { return height_; }
   const Filter& filter() const { return filter_; }
 
-  /// Not-finite samples count as black and are counted in rejected().
+  /// A sample that is not finite counts as black, and in rejected().
   void add_sample(int x, int y, const FilmSample& sample);
 
-  /// Adds a light path's contribution at a raster position; u chooses the offset of the pixel filter.
-  /// Thread safe. Splats are divided by splat_count() when the film is developed.
+  /// Must be called before the first splat, by one thread.
+  void prepare_splats();
+  /// Adds a light path's contribution to the picture at a raster position; u chooses the offset of the
+  /// pixel filter. Thread safe. A film develops W·H/splat_count times the sum.
   void add_splat(Vec2 raster, Color contribution, Vec2 u);
   void add_splat_count(uint64_t light_paths) { splat_count_ += light_paths; }
 
@@ -63,10 +65,9 @@ class Film {
 
   Image develop(Layer layer) const;
 
-  uint64_t sample_count(int x, int y) const;
   uint64_t total_samples() const;
-  uint64_t rejected() const { return rejected_; }
-  /// Mean over the picture of the standard error of a pixel over its mean: the estimated relative error.
+  uint64_t rejected() const;
+  /// Mean over the picture of each pixel's standard error over its mean (luminance): how noisy it is.
   double estimated_relative_error() const;
 
  private:
@@ -76,18 +77,25 @@ class Film {
     double albedo[3] = {};
     double normal[3] = {};
     double depth = 0;
-    double luminance_squared = 0;  // Σ Y²
+    double luminance_squared = 0;  // sum of Y²
     uint32_t hits = 0;             // samples with a depth
     uint32_t samples = 0;
+    uint32_t rejected = 0;
+
+    Pixel& operator+=(const Pixel& other);
   };
+
+  size_t index(int x, int y) const { return static_cast<size_t>(y) * width_ + x; }
+  static double mean_luminance(const Pixel& pixel);
+  static double mean_variance(const Pixel& pixel);  // of the pixel's mean
+  void develop_pixel(Layer layer, size_t i, float* out) const;
 
   int width_;
   int height_;
   Filter filter_;
   std::vector<Pixel> pixels_;
-  std::vector<double> splats_;  // 3 per pixel, allocated by the first splat's film
+  std::vector<double> splats_;  // 3 per pixel
   uint64_t splat_count_ = 0;
-  uint64_t rejected_ = 0;
 };
 
 }  // namespace guidelight
