@@ -19,7 +19,7 @@ class Accelerator;
 
 /// The immutable run-time form of a SceneDescription: everything an integrator asks of a scene. Shared by
 /// shared_ptr<const Scene>; an edit makes a new one that shares what did not change.
-class Scene : public std::enable_shared_from_this<Scene> {
+class Scene {
  public:
   /// Throws Error for a description that cannot be rendered.
   static std::shared_ptr<const Scene> build(std::shared_ptr<const SceneDescription> description);
@@ -57,7 +57,12 @@ class Scene : public std::enable_shared_from_this<Scene> {
   std::optional<LightChoice> choose_light(float u) const;
   float light_probability(const Light& light) const;
 
+  /// The medium that the camera is in, nullptr for vacuum.
   const Medium* camera_medium() const;
+
+  /// Names for people, of a SurfacePoint's shape.
+  const std::string& shape_name(uint32_t shape) const;
+  const std::string& bsdf_name(uint32_t shape) const;
 
   struct Statistics {
     size_t shapes = 0;
@@ -76,11 +81,17 @@ class Scene : public std::enable_shared_from_this<Scene> {
     const Medium* interior = nullptr;
     const Medium* exterior = nullptr;
     bool is_medium_boundary = false;
+    bool perturbs_normal = false;
+    std::string name;
+    std::string bsdf_name;
   };
   struct InstanceBinding {
-    Mat4 to_world;
-    Mat4 to_local;
-    float determinant_sign;
+    Mat4 to_world{1.0f};
+    Mat4 to_local{1.0f};
+    float scale = 1;  // largest stretch of to_world
+
+    /// Takes a point from the group's space to the world.
+    void apply(SurfacePoint& point) const;
   };
   struct Content {
     std::shared_ptr<const SceneDescription> description;

@@ -85,6 +85,9 @@ class Light {
   /// A density of a delta component is 0.
   virtual EmissionPdf pdf_emission(const SurfacePoint& point, Vec3 w) const = 0;
 
+  /// Position in Scene::lights(); set by the scene that owns the light.
+  uint32_t index = kInvalidIndex;
+
   /// Emitted power [W], luminance, approximate; steers the choice of lights.
   virtual float power() const = 0;
 };

@@ -1,0 +1,102 @@
+#include "renderer/scene/scene.h"
+
+#include "renderer/scene/accelerator.h"
+
+namespace guidelight {
+
+Scene::Content::~Content() = default;
+Scene::~Scene() = default;
+
+Scene::Scene(std::shared_ptr<const Content> content, const Camera& camera)
+    : content_(std::move(content)), camera_(camera) {}
+
+std::shared_ptr<const Scene> Scene::with_camera(const Camera& camera) const {
+  return std::shared_ptr<const Scene>(new Scene(content_, camera));
+}
+
+Hit Scene::intersect(const Ray& ray) const { return content_->accelerator->intersect(ray); }
+
+bool Scene::occluded(const Ray& ray) const { return content_->accelerator->occluded(ray); }
+
+void Scene::intersect(std::span<const Ray> rays, std::span<Hit> hits) const {
+  content_->accelerator->intersect(rays, hits);
+}
+
+void Scene::occluded(std::span<const Ray> rays, std::span<uint8_t> blocked) const {
+  content_->accelerator->occluded(rays, blocked);
+}
+
+void Scene::InstanceBinding::apply(SurfacePoint& point) const {
+  const Mat3 normal_matrix = glm::transpose(Mat3(to_local));
+  point.position = transform_point(to_world, point.position);
+  point.geometric_normal = glm::normalize(normal_matrix * point.geometric_normal);
+  point.dpdu = transform_vector(to_world, point.dpdu);
+  point.dpdv = transform_vector(to_world, point.dpdv);
+  point.frame = Frame::from_normal_and_tangent(glm::normalize(normal_matrix * point.frame.n),
+                                               transform_vector(to_world, point.frame.s));
+  // The transform's own rounding: three products and sums per coordinate.
+  point.offset = scale * point.offset + 8 * kFloatEpsilon * max_component(glm::abs(point.position));
+}
+
+SurfacePoint Scene::surface_point(const Ray& ray, const Hit& hit) const {
+  const ShapeBinding& binding = content_->shapes[hit.shape];
+  SurfacePoint point;
+  point.shape = hit.shape;
+  point.primitive = hit.primitive;
+  point.instance = hit.instance;
+  point.bsdf = binding.bsdf.get();
+  point.light = binding.light;
+  point.interior = binding.interior;
+  point.exterior = binding.exterior;
+  point.is_medium_boundary = binding.is_medium_boundary;
+  if (hit.instance == kInvalidIndex) {
+    binding.shape->fill(ray, hit, point);
+  } else {
+    const InstanceBinding& instance = content_->instances[hit.instance];
+    const Ray local{transform_point(instance.to_local, ray.origin),
+                    transform_vector(instance.to_local, ray.direction), ray.t_max};
+    binding.shape->fill(local, hit, point);
+    instance.apply(point);
+  }
+  if (binding.perturbs_normal) point.frame = point.bsdf->shading_frame(point);
+  return point;
+}
+
+std::optional<Scene::LightChoice> Scene::choose_light(float u) const {
+  if (content_->lights.empty()) return std::nullopt;
+  const auto chosen = content_->light_distribution.sample(u);
+  return LightChoice{content_->lights[chosen.index].get(), chosen.pmf, chosen.remapped};
+}
+
+float Scene::light_probability(const Light& light) const {
+  return content_->light_distribution.pmf(light.index);
+}
+
+const Medium* Scene::camera_medium() const {
+  const int medium = description().camera_medium;
+  return medium == kNone ? nullptr : &content_->media[medium];
+}
+
+const std::string& Scene::shape_name(uint32_t shape) const { return content_->shapes[shape].name; }
+const std::string& Scene::bsdf_name(uint32_t shape) const {
+  return content_->shapes[shape].bsdf_name;
+}
+
+Scene::Statistics Scene::statistics() const {
+  Statistics result;
+  result.shapes = content_->shapes.size();
+  result.instances = content_->instances.size();
+  result.lights = content_->lights.size();
+  result.bytes = content_->accelerator->bytes();
+  for (const ShapeBinding& binding : content_->shapes) {
+    result.triangles += binding.shape->triangle_count();
+    result.bytes += binding.shape->bytes();
+  }
+  for (const TextureDescription& texture : description().textures) {
+    const auto* bitmap = std::get_if<BitmapTexture>(&texture.model);
+    if (bitmap && bitmap->image) result.bytes += bitmap->image->data().size_bytes();
+  }
+  return result;
+}
+
+}  // namespace guidelight
