@@ -1,0 +1,21 @@
+#include "renderer/error.h"
+#include "renderer/integrators/integrator.h"
+#include "renderer/integrators/path_tracer.h"
+
+namespace guidelight {
+
+const std::vector<IntegratorInfo>& integrators() {
+  static const std::vector<IntegratorInfo> list = {path_tracer_info()};
+  return list;
+}
+
+const IntegratorInfo& find_integrator(const std::string& name) {
+  std::string known;
+  for (const IntegratorInfo& info : integrators()) {
+    if (info.name == name) return info;
+    known += (known.empty() ? "" : ", ") + info.name;
+  }
+  throw Error("there is no integrator '{}': choose one of {}", name, known);
+}
+
+}  // namespace guidelight
