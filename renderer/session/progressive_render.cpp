@@ -1,0 +1,134 @@
+#include "renderer/session/progressive_render.h"
+
+#include <algorithm>
+
+#include "renderer/error.h"
+#include "renderer/session/stopwatch.h"
+
+namespace guidelight {
+
+namespace {
+
+/// Publishing takes at most this share of the time once a render is under way …
+constexpr double kPublishShare = 0.02;
+/// … but nobody waits longer than this for a new picture, and less at the beginning [s].
+double longest_silence(double seconds_rendered) {
+  return std::clamp(0.25 * seconds_rendered, 0.1, 1.0);
+}
+
+/// The error estimate of fewer passes says too little to stop by.
+constexpr uint32_t kFewestPassesForError = 16;
+
+class ProgressiveRender {
+ public:
+  ProgressiveRender(const RenderJob& job, WorkControl& control,
+                    const std::function<double()>& seconds,
+                    const std::function<void(Snapshot)>& publish)
+      : job_(job),
+        info_(find_integrator(job.integrator)),
+        settings_(job.settings ? job.settings->clone()
+                               : info_.make_settings(job.scene->description().hints)),
+        parallel_(job.threads, &control, job.priority),
+        seconds_(seconds),
+        publish_(publish) {
+    status_.full_width = job.scene->camera().width();
+    status_.full_height = job.scene->camera().height();
+  }
+
+  void run() {
+    if (job_.coarse_first) show_coarse_pictures();
+    const Camera& camera = job_.scene->camera();
+    Film film(camera.width(), camera.height(), camera.film().filter);
+    const auto integrator = info_.create(job_.scene, *settings_);
+    const PassContext context{job_.seed, &parallel_, job_.region};
+    for (uint32_t pass = 0;; ++pass) {
+      try {
+        integrator->render_pass(pass, film, context);
+      } catch (const Stopped&) {
+        show(film, SessionState::Idle);
+        throw;
+      }
+      status_.passes = pass + 1;
+      const bool finished = target_reached(film);
+      if (finished || pass == 0 || publishing_is_due()) {
+        show(film, finished ? SessionState::Finished : SessionState::Rendering);
+      }
+      if (finished) return;
+    }
+  }
+
+ private:
+  /// Pictures of 1/8, 1/4 and 1/2 of the size, one sample per pixel: something to see at once.
+  void show_coarse_pictures() {
+    const Camera& camera = job_.scene->camera();
+    const PassContext context{job_.seed, &parallel_, std::nullopt};
+    status_.coarse = true;
+    for (int divisor = 8; divisor > 1; divisor /= 2) {
+      const int width = std::max(1, camera.width() / divisor);
+      const int height = std::max(1, camera.height() / divisor);
+      const auto scene = job_.scene->with_camera(camera.with_resolution(width, height));
+      Film film(width, height, camera.film().filter);
+      info_.create(scene, *settings_)->render_pass(0, film, context);
+      show(film, SessionState::Rendering);
+    }
+    status_.coarse = false;
+  }
+
+  /// Also sets the progress towards the nearest target.
+  bool target_reached(const Film& film) {
+    const RenderTargets& targets = job_.targets;
+    double progress = 0;
+    if (targets.passes > 0) progress = static_cast<double>(status_.passes) / targets.passes;
+    if (targets.seconds > 0) progress = std::max(progress, seconds_() / targets.seconds);
+    if (targets.relative_error > 0 && status_.passes >= kFewestPassesForError) {
+      // The error falls with the square root of the work, so the work done goes with its square.
+      const double error = film.estimated_relative_error();
+      progress = std::max(progress, error > 0 ? sqr(targets.relative_error / error) : 1.0);
+    }
+    status_.progress = static_cast<float>(std::min(progress, 1.0));
+    return progress >= 1;
+  }
+
+  bool publishing_is_due() const {
+    const double silence = since_published_.seconds();
+    return silence * kPublishShare >= publish_cost_ || silence >= longest_silence(seconds_());
+  }
+
+  void show(const Film& film, SessionState state) {
+    const Stopwatch publishing;
+    auto layers = std::make_shared<Snapshot::Layers>();
+    for (const Layer layer : kAllLayers) {
+      (*layers)[static_cast<size_t>(layer)] = film.develop(layer);
+    }
+    status_.layers = std::move(layers);
+    status_.state = state;
+    status_.seconds = seconds_();
+    status_.samples = film.total_samples();
+    status_.rejected_samples = film.rejected();
+    status_.relative_error = film.estimated_relative_error();
+    publish_(status_);
+    publish_cost_ = publishing.seconds();
+    since_published_.restart();
+  }
+
+  const RenderJob& job_;
+  const IntegratorInfo& info_;
+  std::unique_ptr<IntegratorSettings> settings_;
+  Parallel parallel_;
+  const std::function<double()>& seconds_;
+  const std::function<void(Snapshot)>& publish_;
+  Snapshot status_;
+  Stopwatch since_published_;
+  double publish_cost_ = 0;  // of the last time [s]
+};
+
+}  // namespace
+
+void render_progressively(const RenderJob& job, WorkControl& control,
+                          const std::function<double()>& seconds,
+                          const std::function<void(Snapshot)>& publish) {
+  if (!job.scene) throw Error("there is no scene to render: open one first");
+  ProgressiveRender(job, control, seconds, publish).run();
+}
+
+}  // namespace guidelight

@@ -1,0 +1,165 @@
+#include "renderer/session/render_session.h"
+
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include "renderer/session/progressive_render.h"
+#include "renderer/session/stopwatch.h"
+
+namespace guidelight {
+
+/// Everything below is guarded by one mutex that is only ever held for a moment. The render thread holds
+/// no lock while it renders.
+class RenderSession::Impl {
+ public:
+  explicit Impl(std::function<void()> published)
+      : published_(std::move(published)), thread_([this] { run(); }) {}
+
+  ~Impl() {
+    {
+      const std::lock_guard lock(mutex_);
+      quit_ = true;
+      give_up_current_job();
+    }
+    thread_.join();
+  }
+
+  uint64_t start(RenderJob job) {
+    const std::lock_guard lock(mutex_);
+    next_ = std::move(job);
+    give_up_current_job();
+    return ++last_job_;
+  }
+
+  void stop() {
+    const std::lock_guard lock(mutex_);
+    next_.reset();
+    give_up_current_job();
+  }
+
+  void set_paused(bool paused) {
+    const std::lock_guard lock(mutex_);
+    paused_ = paused;
+    apply_pause();
+    const SessionState state = snapshot_->state;
+    if (state == SessionState::Rendering || state == SessionState::Paused) {
+      Snapshot changed = *snapshot_;
+      changed.state = paused ? SessionState::Paused : SessionState::Rendering;
+      replace_snapshot(std::move(changed));
+    }
+  }
+
+  std::shared_ptr<const Snapshot> snapshot() const {
+    const std::lock_guard lock(mutex_);
+    return snapshot_;
+  }
+
+  void wait() const {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return !control_ && !next_; });
+  }
+
+ private:
+  void run() {
+    while (auto job = next_job()) {
+      try {
+        render_progressively(*job, *control_, [this] { return elapsed(); },
+                             [this](Snapshot snapshot) { publish(std::move(snapshot)); });
+      } catch (const Stopped&) {
+        // Given up on request; what there was has been published.
+      } catch (const std::exception& error) {
+        Snapshot failed;
+        failed.state = SessionState::Failed;
+        failed.error = error.what();
+        publish(std::move(failed));
+      }
+    }
+  }
+
+  /// Waits for the next job; empty when the session ends.
+  std::optional<RenderJob> next_job() {
+    std::unique_lock lock(mutex_);
+    control_.reset();
+    changed_.notify_all();
+    changed_.wait(lock, [&] { return quit_ || next_; });
+    if (quit_) return std::nullopt;
+    control_ = std::make_unique<WorkControl>();
+    picture_shown_ = false;
+    watch_.restart();
+    current_job_ = last_job_;
+    std::optional<RenderJob> job = std::move(next_);
+    next_.reset();
+    return job;
+  }
+
+  void publish(Snapshot snapshot) {
+    {
+      const std::lock_guard lock(mutex_);
+      snapshot.job = current_job_;
+      if (!snapshot.coarse && !picture_shown_) {
+        picture_shown_ = true;
+        apply_pause();
+      }
+      if (paused_ && snapshot.state == SessionState::Rendering && !snapshot.coarse) {
+        snapshot.state = SessionState::Paused;
+      }
+      replace_snapshot(std::move(snapshot));
+    }
+    if (published_) published_();
+  }
+
+  double elapsed() const {
+    const std::lock_guard lock(mutex_);
+    return watch_.seconds();
+  }
+
+  // -- Called with the mutex held.
+
+  void give_up_current_job() {
+    if (control_) control_->request_stop();
+    changed_.notify_all();
+  }
+
+  /// A new job shows its first picture before it rests, or a person who moves the camera while paused
+  /// would see nothing.
+  void apply_pause() {
+    if (!control_) return;
+    const bool rest = paused_ && picture_shown_;
+    control_->set_paused(rest);
+    watch_.set_paused(rest);
+  }
+
+  void replace_snapshot(Snapshot snapshot) {
+    snapshot.generation = ++generation_;
+    snapshot_ = std::make_shared<const Snapshot>(std::move(snapshot));
+  }
+
+  const std::function<void()> published_;
+  mutable std::mutex mutex_;
+  mutable std::condition_variable changed_;
+  bool quit_ = false;
+  bool paused_ = false;
+  bool picture_shown_ = false;             // of the current job, at full size
+  std::optional<RenderJob> next_;          // waits for the thread
+  std::unique_ptr<WorkControl> control_;   // of the current job; null between jobs
+  uint64_t last_job_ = 0;                  // number given out by start()
+  uint64_t current_job_ = 0;
+  uint64_t generation_ = 0;
+  Stopwatch watch_;
+  std::shared_ptr<const Snapshot> snapshot_ = std::make_shared<const Snapshot>();
+  std::thread thread_;  // last: starts when everything else is ready
+};
+
+RenderSession::RenderSession(std::function<void()> published)
+    : impl_(std::make_unique<Impl>(std::move(published))) {}
+RenderSession::~RenderSession() = default;
+
+uint64_t RenderSession::start(RenderJob job) { return impl_->start(std::move(job)); }
+void RenderSession::pause() { impl_->set_paused(true); }
+void RenderSession::resume() { impl_->set_paused(false); }
+void RenderSession::stop() { impl_->stop(); }
+std::shared_ptr<const Snapshot> RenderSession::snapshot() const { return impl_->snapshot(); }
+void RenderSession::wait() const { impl_->wait(); }
+
+}  // namespace guidelight
