@@ -1,0 +1,174 @@
+#include "renderer/scene/mesh_shape.h"
+
+#include <algorithm>
+
+#include "renderer/error.h"
+#include "renderer/sampling/warp.h"
+#include "renderer/scene/shape_transform.h"
+
+namespace guidelight {
+
+namespace {
+
+/// Coordinates beyond this overflow in squares of cross products.
+constexpr float kLargestCoordinate = 1e9f;
+
+void check_mesh(const ShapeDescription& description, const Mesh& mesh) {
+  const std::string label = shape_label(description);
+  const size_t vertices = mesh.positions.size();
+  if (mesh.triangles.empty()) {
+    throw Error("{} has no triangles; remove it or give it a mesh with faces", label);
+  }
+  for (const auto& triangle : mesh.triangles) {
+    for (const uint32_t index : triangle) {
+      if (index >= vertices) {
+        throw Error("{} refers to vertex {} of {}; repair the mesh file", label, index, vertices);
+      }
+    }
+  }
+  const auto check_size = [&](size_t size, const char* what) {
+    if (size != 0 && size != vertices) {
+      throw Error("{} has {} {} for {} vertices; repair the mesh file", label, size, what,
+                  vertices);
+    }
+  };
+  check_size(mesh.normals.size(), "normals");
+  check_size(mesh.uvs.size(), "texture coordinates");
+  check_size(mesh.colors.size(), "vertex colours");
+  const auto uv_is_finite = [](Vec2 uv) { return std::isfinite(uv.x) && std::isfinite(uv.y); };
+  if (!std::ranges::all_of(mesh.uvs, uv_is_finite)) {
+    throw Error("{} has texture coordinates that are not finite; repair the mesh file", label);
+  }
+  if (!std::ranges::all_of(mesh.colors, is_finite)) {
+    throw Error("{} has vertex colours that are not finite; repair the mesh file", label);
+  }
+}
+
+/// Unit vector, or zero where there is no direction; safe for very short vectors.
+Vec3 unit_or_zero(Vec3 v) {
+  float squared = length_squared(v);
+  if (squared < 1e-30f) {
+    const float largest = max_component(glm::abs(v));
+    if (!(largest > 0)) return Vec3(0);
+    v /= largest;
+    squared = length_squared(v);
+  }
+  return v / std::sqrt(squared);
+}
+
+double triangle_area(Vec3 a, Vec3 b, Vec3 c) {
+  return 0.5 *
+         glm::length(glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a)));
+}
+
+}  // namespace
+
+TriangleMesh::TriangleMesh(const ShapeDescription& description, const Mat4& to_world)
+    : mesh_(std::get<MeshShape>(description.geometry).mesh) {
+  if (!mesh_) throw Error("{} has no mesh; give it one", shape_label(description));
+  check_mesh(description, *mesh_);
+  const LinearTransform transform(to_world, description);
+  orientation_ = (transform.determinant < 0) != description.flip_normals ? -1.0f : 1.0f;
+
+  positions_.reserve(mesh_->positions.size() + kPadding);
+  for (const Vec3 p : mesh_->positions) {
+    const Vec3 world = transform_point(to_world, p);
+    if (!(max_component(glm::abs(world)) <= kLargestCoordinate)) {
+      throw Error(
+          "{} has a vertex that is not finite or farther than {} from the origin; repair or scale "
+          "it",
+          shape_label(description), kLargestCoordinate);
+    }
+    positions_.push_back(world);
+    bounds_.extend(world);
+  }
+  positions_.resize(positions_.size() + kPadding, Vec3(0));
+
+  normals_.reserve(mesh_->normals.size());
+  const float normal_sign = description.flip_normals ? -1.0f : 1.0f;
+  for (const Vec3 n : mesh_->normals) {
+    const Vec3 world = normal_sign * transform.normal(n);
+    normals_.push_back(is_finite(world) ? unit_or_zero(world) : Vec3(0));
+  }
+  measure();
+}
+
+void TriangleMesh::measure() {
+  std::vector<float> areas;
+  areas.reserve(triangles().size());
+  for (const auto& [a, b, c] : triangles()) {
+    areas.push_back(static_cast<float>(triangle_area(positions_[a], positions_[b], positions_[c])));
+  }
+  triangle_distribution_ = DiscreteDistribution(areas);
+  area_ = static_cast<float>(triangle_distribution_.total());
+  inverse_area_ = area_ > 0 ? 1 / area_ : 0.0f;
+}
+
+void TriangleMesh::fill(const Ray&, const Hit& hit, SurfacePoint& point) const {
+  fill_triangle(hit.primitive, hit.barycentric, point);
+}
+
+ShapeSample TriangleMesh::sample_area(Vec2 u) const {
+  const auto triangle = triangle_distribution_.sample(u.x);
+  ShapeSample sample;
+  fill_triangle(triangle.index, square_to_triangle({triangle.remapped, u.y}), sample.point);
+  sample.pdf_area = inverse_area_;
+  return sample;
+}
+
+void TriangleMesh::fill_triangle(uint32_t triangle, Vec2 barycentric, SurfacePoint& point) const {
+  const auto [a, b, c] = mesh_->triangles[triangle];
+  const Vec3 p0 = positions_[a];
+  const Vec3 p1 = positions_[b];
+  const Vec3 p2 = positions_[c];
+  const Vec3 edge1 = p1 - p0;
+  const Vec3 edge2 = p2 - p0;
+  const float b1 = barycentric.x;
+  const float b2 = barycentric.y;
+  const float b0 = 1 - b1 - b2;
+
+  point.primitive = triangle;
+  point.position = p0 + b1 * edge1 + b2 * edge2;
+  Vec3 geometric_normal = orientation_ * unit_or_zero(glm::cross(edge1, edge2));
+  if (geometric_normal == Vec3(0)) geometric_normal = {0, 0, 1};  // no area: any normal will do
+  point.geometric_normal = geometric_normal;
+
+  // Rounding of the interpolated position and of the ray-triangle test that starts there: the first
+  // grows with the coordinates, the second with the distances to the vertices.
+  const Vec3 lower = glm::min(p0, glm::min(p1, p2));
+  const Vec3 upper = glm::max(p0, glm::max(p1, p2));
+  const float extent = max_component(upper - lower);
+  const float magnitude = max_component(glm::max(-lower, upper));
+  point.offset = kFloatEpsilon * (4 * extent + 8 * magnitude);
+
+  Vec3 shading_normal = geometric_normal;
+  if (!normals_.empty()) {
+    const Vec3 n = b0 * normals_[a] + b1 * normals_[b] + b2 * normals_[c];
+    const float squared = length_squared(n);
+    if (squared > 1e-12f) shading_normal = n / std::sqrt(squared);
+  }
+
+  if (!mesh_->colors.empty()) {
+    point.vertex_color = b0 * mesh_->colors[a] + b1 * mesh_->colors[b] + b2 * mesh_->colors[c];
+  }
+
+  point.uv = barycentric;
+  point.dpdu = point.dpdv = Vec3(0);
+  if (!mesh_->uvs.empty()) {
+    const Vec2 uv0 = mesh_->uvs[a];
+    const Vec2 duv1 = mesh_->uvs[b] - uv0;
+    const Vec2 duv2 = mesh_->uvs[c] - uv0;
+    point.uv = uv0 + b1 * duv1 + b2 * duv2;
+    const float determinant = duv1.x * duv2.y - duv1.y * duv2.x;
+    if (std::abs(determinant) > 1e-30f) {
+      const float inverse = 1 / determinant;
+      point.dpdu = (duv2.y * edge1 - duv1.y * edge2) * inverse;
+      point.dpdv = (duv1.x * edge2 - duv2.x * edge1) * inverse;
+    }
+    point.frame = Frame::from_normal_and_tangent(shading_normal, point.dpdu);
+  } else {
+    point.frame = Frame::from_normal(shading_normal);
+  }
+}
+
+}  // namespace guidelight

@@ -1,0 +1,58 @@
+#include "renderer/scene/shape.h"
+
+#include "renderer/error.h"
+#include "renderer/scene/analytic_shape.h"
+#include "renderer/scene/mesh_shape.h"
+#include "renderer/scene/shape_transform.h"
+
+namespace guidelight {
+
+std::string shape_label(const ShapeDescription& description) {
+  return description.line > 0
+             ? fmt::format("Shape '{}' (line {})", description.name, description.line)
+             : fmt::format("Shape '{}'", description.name);
+}
+
+LinearTransform::LinearTransform(const Mat4& to_world, const ShapeDescription& description) {
+  const glm::dmat3 m(to_world);
+  const double volume = glm::length(m[0]) * glm::length(m[1]) * glm::length(m[2]);
+  const double det = glm::determinant(m);
+  // Relative to the lengths of the axes, so that small and very flat shapes are welcome.
+  if (!std::isfinite(volume) || !is_finite(Vec3(to_world[3])) || !(std::abs(det) > 1e-8 * volume)) {
+    throw Error(
+        "{} has a transform that is singular or not finite; give it a transform that can be "
+        "inverted",
+        shape_label(description));
+  }
+  matrix = Mat3(m);
+  inverse = Mat3(glm::inverse(m));
+  determinant = static_cast<float>(det);
+}
+
+Shape::SeenSample Shape::sample_seen_from(Vec3 reference, Vec2 u) const {
+  const ShapeSample sample = sample_area(u);
+  const Vec3 to_reference = reference - sample.point.position;
+  const float squared = length_squared(to_reference);
+  const float cosine =
+      std::abs(glm::dot(sample.point.geometric_normal, to_reference)) / std::sqrt(squared);
+  const float pdf = cosine > 0 && squared > 0 ? sample.pdf_area * squared / cosine : 0.0f;
+  return {sample.point, pdf};
+}
+
+float Shape::pdf_seen_from(Vec3 reference, const SurfacePoint& point) const {
+  const Vec3 to_reference = reference - point.position;
+  const float squared = length_squared(to_reference);
+  const float cosine =
+      std::abs(glm::dot(point.geometric_normal, to_reference)) / std::sqrt(squared);
+  return cosine > 0 && squared > 0 ? pdf_area(point) * squared / cosine : 0.0f;
+}
+
+std::unique_ptr<Shape> make_shape(const ShapeDescription& description, const Mat4& parent) {
+  const Mat4 to_world = parent * description.to_world;
+  if (std::holds_alternative<MeshShape>(description.geometry)) {
+    return std::make_unique<TriangleMesh>(description, to_world);
+  }
+  return make_analytic_shape(description, to_world);
+}
+
+}  // namespace guidelight

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "renderer/scene/description.h"
+
+namespace guidelight {
+
+/// How an error message names a shape.
+std::string shape_label(const ShapeDescription& description);
+
+/// The linear part of a shape's transform and its inverse. Points are best taken relative to the
+/// origin of the shape before the inverse is applied: a small shape far from the world's origin
+/// keeps its digits.
+struct LinearTransform {
+  Mat3 matrix;
+  Mat3 inverse;
+  float determinant;
+
+  /// Throws Error if the transform is singular or not finite.
+  LinearTransform(const Mat4& to_world, const ShapeDescription& description);
+
+  /// Normals transform by the inverse transpose; the result is not normalised.
+  Vec3 normal(Vec3 n) const { return n * inverse; }
+};
+
+}  // namespace guidelight
