@@ -1,0 +1,60 @@
+#include "app/scene_arguments.h"
+
+#include <charconv>
+#include <map>
+
+#include "renderer/error.h"
+#include "renderer/io/scene_file.h"
+
+namespace guidelight {
+
+void SceneArguments::add_to(CLI::App& command, bool required) {
+  auto* scene = command.add_option("SCENE", path, "Mitsuba XML or glTF 2.0 file");
+  if (required) scene->required();
+  command.add_option("-D", defines, "Set a variable of an XML scene: name=value")->allow_extra_args(false);
+  command.add_option("--size", size, "Picture size, WxH pixels");
+}
+
+std::shared_ptr<const SceneDescription> SceneArguments::read() const {
+  std::map<std::string, std::string> variables;
+  for (const std::string& define : defines) variables.insert(split_assignment("-D", define));
+  auto description = std::make_shared<SceneDescription>(read_scene(path, variables));
+  if (!size.empty()) {
+    const std::vector<int> numbers = split_numbers("--size", size, 'x', 2);
+    description->film.width = numbers[0];
+    description->film.height = numbers[1];
+    description->film.crop_width = description->film.crop_height = 0;
+  }
+  return description;
+}
+
+std::pair<std::string, std::string> split_assignment(const std::string& option,
+                                                     const std::string& text) {
+  const size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    throw CLI::ValidationError(option, fmt::format("'{}' is not of the form name=value", text));
+  }
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+std::vector<int> split_numbers(const std::string& option, const std::string& text, char separator,
+                               size_t count) {
+  std::vector<int> numbers;
+  const char* next = text.data();
+  const char* end = next + text.size();
+  while (next < end) {
+    int number = 0;
+    const auto [stopped, status] = std::from_chars(next, end, number);
+    if (status != std::errc() || (stopped != end && *stopped != separator)) break;
+    numbers.push_back(number);
+    next = stopped == end ? end : stopped + 1;
+    if (stopped == end) break;
+  }
+  if (next != end || numbers.size() != count || text.back() == separator) {
+    throw CLI::ValidationError(
+        option, fmt::format("'{}' is not {} whole numbers separated by '{}'", text, count, separator));
+  }
+  return numbers;
+}
+
+}  // namespace guidelight

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "renderer/scene/description.h"
+
+namespace guidelight {
+
+/// The arguments that name a scene, alike in every command: SCENE, -D name=value, --size WxH.
+struct SceneArguments {
+  std::string path;
+  std::vector<std::string> defines;
+  std::string size;
+
+  /// `required`: whether SCENE must be given.
+  void add_to(CLI::App& command, bool required = true);
+  /// Reads the scene and applies --size. Throws Error.
+  std::shared_ptr<const SceneDescription> read() const;
+};
+
+/// Splits "name=value". Throws CLI::ValidationError (exit status 2) naming the option.
+std::pair<std::string, std::string> split_assignment(const std::string& option,
+                                                     const std::string& text);
+
+/// Numbers of a list such as 640x480 or 0,0,64,64. Throws CLI::ValidationError unless there are `count`
+/// whole numbers.
+std::vector<int> split_numbers(const std::string& option, const std::string& text, char separator,
+                               size_t count);
+
+}  // namespace guidelight
