@@ -24,9 +24,11 @@ enum Lobe : uint8_t {
 /// A direction drawn by a BSDF, in the local shading frame.
 struct BsdfSample {
   Vec3 wi;       // unit, away from the surface
-  Color weight;  // f·|cosθ_i| / pdf, for delta lobes the reflected share / pdf; without η² (see Scattering)
-  float pdf;     // per solid angle including the choice of lobe; for delta lobes the discrete probability
-  float eta = 1; // IOR on the side of wi over IOR on the side of wo; 1 for reflection
+  Color weight;  // f·|cosθ_i| / pdf, for delta lobes the reflected share / pdf; without η² (see
+                 // Scattering)
+  float pdf;     // per solid angle including the choice of lobe; for delta lobes the discrete
+                 // probability
+  float eta = 1;          // IOR on the side of wi over IOR on the side of wo; 1 for reflection
   Lobe lobe = kLobeNone;  // the one lobe that was sampled
 
   bool is_delta() const { return lobe & kLobeDelta; }
@@ -40,11 +42,12 @@ struct SpecularEvent {
   float eta = 1;
 };
 
-/// A scattering function in a local frame whose z is the shading normal; wo and wi are unit and point
-/// away from the surface. It is written once, for no particular transport direction, as the *flux* form
-/// without the η² of radiance compression; η² and Veach's shading-normal correction are applied in one
-/// place, the class Scattering. Except for these it is reciprocal (each implementation says if not), and
-/// its sampling does not depend on the transport direction. Immutable.
+/// A scattering function in a local frame whose z is the shading normal; wo and wi are unit and
+/// point away from the surface. It is written once, for no particular transport direction, as the
+/// *flux* form without the η² of radiance compression; η² and Veach's shading-normal correction are
+/// applied in one place, the class Scattering. Except for these it is reciprocal (each
+/// implementation says if not), and its sampling does not depend on the transport direction.
+/// Immutable.
 class Bsdf {
  public:
   virtual ~Bsdf() = default;
@@ -59,8 +62,10 @@ class Bsdf {
   virtual std::optional<BsdfSample> sample(const SurfacePoint& point, Vec3 wo, float u_lobe,
                                            Vec2 u) const = 0;
 
-  /// The delta event of one kind (kLobeDeltaReflection or kLobeDeltaTransmission), empty if there is none.
-  virtual std::optional<SpecularEvent> specular(const SurfacePoint& point, Vec3 wo, Lobe lobe) const {
+  /// The delta event of one kind (kLobeDeltaReflection or kLobeDeltaTransmission), empty if there
+  /// is none.
+  virtual std::optional<SpecularEvent> specular(const SurfacePoint& point, Vec3 wo,
+                                                Lobe lobe) const {
     (void)point, (void)wo, (void)lobe;
     return std::nullopt;
   }

@@ -4,45 +4,95 @@
 
 namespace guidelight {
 
-/// What is transported along the path that is being built: a camera path carries importance outwards and
-/// gathers Radiance; a light path carries radiance outwards and gathers Importance.
+/// What is transported along the path that is being built: a camera path carries importance
+/// outwards and gathers Radiance; a light path carries radiance outwards and gathers Importance.
 enum class TransportMode { Radiance, Importance };
 
 /// A world-space direction drawn at a surface.
 struct ScatteringSample {
-  Vec3 wi;         // unit, world, away from the surface
-  Color weight;    // value/pdf with all corrections
-  float pdf;       // per solid angle; discrete probability for delta lobes
-  float eta;       // IOR ratio crossed, 1 for reflection; its square is the RR-neutral factor of `weight`
+  Vec3 wi;       // unit, world, away from the surface
+  Color weight;  // value/pdf with all corrections
+  float pdf;     // per solid angle; discrete probability for delta lobes
+  float
+      eta;  // IOR ratio crossed, 1 for reflection; its square is the RR-neutral factor of `weight`
   Lobe lobe;
 
   bool is_delta() const { return lobe & kLobeDelta; }
 };
 
-/// A BSDF at one surface point seen along wo, in world space: the only place where the two corrections
-/// that make fs non-symmetric are applied (Veach 1997, chapter 5).
+/// A BSDF at one surface point seen along wo, in world space: the only place where the two
+/// corrections that make fs non-symmetric are applied (Veach 1997, chapter 5).
 ///  - refraction: radiance scales by (η_wo/η_wi)² across an interface (5.14), importance does not;
 ///  - shading normals: the adjoint BSDF is f·|wo·ns||wi·ng| / (|wo·ng||wi·ns|) (5.19).
 /// `value` always means f·cosine as the transport mode needs it: |wi·ns| for radiance and
 /// |wo·ns||wi·ng|/|wo·ng| for importance, so that throughput · value · value / d² is a connection.
+/// A direction that lies on different sides of the geometric and the shading surface leaks: nothing
+/// scatters from or to it, in either mode. Straight passes (null, mask) know no normal and never
+/// leak.
 class Scattering {
  public:
   /// wo: unit, world, towards where the path came from.
-  Scattering(const SurfacePoint& point, Vec3 wo, TransportMode mode);
+  Scattering(const SurfacePoint& point, Vec3 wo, TransportMode mode)
+      : point_(&point),
+        wo_(wo),
+        wo_local_(point.frame.to_local(wo)),
+        wo_cos_geometric_(glm::dot(wo, point.geometric_normal)),
+        mode_(mode) {}
 
-  Color value(Vec3 wi) const;
+  Color value(Vec3 wi) const {
+    const Vec3 wi_local = point_->frame.to_local(wi);
+    if (leaks(wi, wi_local)) return Color(0.0f);
+    const Color f_cos = point_->bsdf->eval(*point_, wo_local_, wi_local);
+    return f_cos * correction(wi, wi_local, eta_towards(wi_local));
+  }
+
   /// Density of drawing wi from here, per solid angle, finite lobes only.
-  float pdf(Vec3 wi) const;
+  float pdf(Vec3 wi) const {
+    const Vec3 wi_local = point_->frame.to_local(wi);
+    return leaks(wi, wi_local) ? 0.0f : point_->bsdf->pdf(*point_, wo_local_, wi_local);
+  }
+
   /// Density of drawing wo if the path came from wi, per solid angle, finite lobes only.
-  float pdf_reverse(Vec3 wi) const;
-  std::optional<ScatteringSample> sample(float u_lobe, Vec2 u) const;
+  float pdf_reverse(Vec3 wi) const {
+    const Vec3 wi_local = point_->frame.to_local(wi);
+    return leaks(wi, wi_local) ? 0.0f : point_->bsdf->pdf(*point_, wi_local, wo_local_);
+  }
+
+  std::optional<ScatteringSample> sample(float u_lobe, Vec2 u) const {
+    const std::optional<BsdfSample> drawn = point_->bsdf->sample(*point_, wo_local_, u_lobe, u);
+    if (!drawn) return std::nullopt;
+    if (drawn->wi == -wo_local_) {
+      return ScatteringSample{-wo_, drawn->weight, drawn->pdf, 1.0f, drawn->lobe};
+    }
+    const Vec3 wi = point_->frame.to_world(drawn->wi);
+    if (leaks(wi, drawn->wi)) return std::nullopt;
+    return ScatteringSample{wi, drawn->weight * correction(wi, drawn->wi, drawn->eta), drawn->pdf,
+                            drawn->eta, drawn->lobe};
+  }
 
   /// True if connections can be made here: some lobe is finite.
   bool is_connectible() const { return point_->bsdf->lobes() & kLobeSmooth; }
 
  private:
-  /// Zero if wi leaks: on different sides of the geometric and the shading surface.
-  float correction(Vec3 wi, Vec3 wi_local, float eta) const;
+  bool leaks(Vec3 wi, Vec3 wi_local) const {
+    return glm::dot(wi, point_->geometric_normal) * wi_local.z <= 0 ||
+           wo_cos_geometric_ * wo_local_.z <= 0;
+  }
+
+  /// IOR on the side of wi over IOR on the side of wo.
+  float eta_towards(Vec3 wi_local) const {
+    if (same_hemisphere(wo_local_, wi_local)) return 1;
+    const float eta = point_->bsdf->eta();
+    return wo_local_.z > 0 ? eta : 1 / eta;
+  }
+
+  /// Factor that turns the flux form of the BSDF into what the transport mode needs; wi does not
+  /// leak.
+  float correction(Vec3 wi, Vec3 wi_local, float eta) const {
+    if (mode_ == TransportMode::Radiance) return 1 / (eta * eta);
+    return std::abs(wo_local_.z * glm::dot(wi, point_->geometric_normal) /
+                    (wo_cos_geometric_ * wi_local.z));
+  }
 
   const SurfacePoint* point_;
   Vec3 wo_;

@@ -1,0 +1,75 @@
+#include <algorithm>
+
+#include "renderer/scene/bsdf/factories.h"
+
+namespace guidelight {
+namespace {
+
+/// A surface with holes too small to see. Where the nested BSDF has a straight or refracted delta
+/// lobe of its own, specular() reports the likelier of the two.
+class Mask final : public Bsdf {
+ public:
+  Mask(FloatTexture opacity, BsdfPointer nested)
+      : opacity_(std::move(opacity)), nested_(std::move(nested)) {}
+
+  Color eval(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
+    return opacity(point) * nested_->eval(point, wo, wi);
+  }
+
+  float pdf(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
+    return opacity(point) * nested_->pdf(point, wo, wi);
+  }
+
+  std::optional<BsdfSample> sample(const SurfacePoint& point, Vec3 wo, float u_lobe,
+                                   Vec2 u) const override {
+    const float covered = opacity(point);
+    if (u_lobe >= covered) {
+      return BsdfSample{-wo, Color(1.0f), 1 - covered, 1.0f, kLobeDeltaTransmission};
+    }
+    auto drawn = nested_->sample(point, wo, reuse_below(u_lobe, covered), u);
+    if (drawn) drawn->pdf *= covered;
+    return drawn;
+  }
+
+  std::optional<SpecularEvent> specular(const SurfacePoint& point, Vec3 wo,
+                                        Lobe lobe) const override {
+    const float covered = opacity(point);
+    std::optional<SpecularEvent> event = nested_->specular(point, wo, lobe);
+    if (event) {
+      event->value *= covered;
+      event->probability *= covered;
+    }
+    const float open = 1 - covered;
+    if (lobe == kLobeDeltaTransmission && open > (event ? event->probability : 0.0f)) {
+      return SpecularEvent{-wo, Color(open), open};
+    }
+    return event && event->probability > 0 ? event : std::nullopt;
+  }
+
+  int lobes() const override { return nested_->lobes() | kLobeDeltaTransmission; }
+  float eta() const override { return nested_->eta(); }
+  Color albedo(const SurfacePoint& point) const override {
+    const float covered = opacity(point);
+    return Color(1 - covered) + covered * nested_->albedo(point);
+  }
+  Frame shading_frame(const SurfacePoint& point) const override {
+    return nested_->shading_frame(point);
+  }
+
+ private:
+  float opacity(const SurfacePoint& point) const {
+    return std::clamp(opacity_.eval(point), 0.0f, 1.0f);
+  }
+
+  FloatTexture opacity_;
+  BsdfPointer nested_;
+};
+
+}  // namespace
+
+BsdfPointer make_bsdf(const MaskBsdf& description, const BsdfContext& context) {
+  return std::make_shared<Mask>(context.scalar(description.opacity),
+                                context.nested(description.nested));
+}
+
+}  // namespace guidelight
