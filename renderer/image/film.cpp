@@ -148,6 +148,52 @@ Image Film::develop(Layer layer) const {
   return image;
 }
 
+namespace {
+
+constexpr size_t kPixelState = 17;   // numbers per pixel, as visit_state lists them
+constexpr size_t kSplatState = 3;
+
+}  // namespace
+
+template <typename AnyPixel, typename Visit>
+void Film::visit_state(AnyPixel& pixel, Visit&& visit) {
+  for (auto* triple : {&pixel.direct, &pixel.indirect, &pixel.albedo, &pixel.normal}) {
+    for (auto& value : *triple) visit(value);
+  }
+  visit(pixel.depth);
+  visit(pixel.luminance_squared);
+  visit(pixel.hits);
+  visit(pixel.samples);
+  visit(pixel.rejected);
+}
+
+std::vector<double> Film::state() const {
+  std::vector<double> result;
+  result.reserve(1 + kPixelState * pixels_.size() + splats_.size());
+  result.push_back(static_cast<double>(splat_count_));
+  for (const Pixel& pixel : pixels_) {
+    visit_state(pixel, [&](auto value) { result.push_back(static_cast<double>(value)); });
+  }
+  result.insert(result.end(), splats_.begin(), splats_.end());
+  return result;
+}
+
+void Film::restore(std::span<const double> state) {
+  const size_t pixels = 1 + kPixelState * pixels_.size();
+  if (state.size() != pixels && state.size() != pixels + kSplatState * pixels_.size()) {
+    throw Error("the saved film does not have {}x{} pixels: resume at the size it was saved at", width_,
+                height_);
+  }
+  const double* next = state.data();
+  splat_count_ = static_cast<uint64_t>(*next++);
+  for (Pixel& pixel : pixels_) {
+    visit_state(pixel, [&](auto& value) {
+      value = static_cast<std::remove_reference_t<decltype(value)>>(*next++);
+    });
+  }
+  splats_.assign(next, state.data() + state.size());
+}
+
 uint64_t Film::total_samples() const {
   uint64_t sum = 0;
   for (const Pixel& pixel : pixels_) sum += pixel.samples;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "renderer/image/image.h"
@@ -65,6 +66,11 @@ class Film {
 
   Image develop(Layer layer) const;
 
+  /// Everything the film has summed, for checkpoints; a film of the same size takes it back. restore()
+  /// throws Error if the length does not fit.
+  std::vector<double> state() const;
+  void restore(std::span<const double> state);
+
   uint64_t total_samples() const;
   uint64_t rejected() const;
   /// Mean over the picture of each pixel's standard error over its mean (luminance): how noisy it is.
@@ -88,6 +94,8 @@ class Film {
   size_t index(int x, int y) const { return static_cast<size_t>(y) * width_ + x; }
   static double mean_luminance(const Pixel& pixel);
   static double mean_variance(const Pixel& pixel);  // of the pixel's mean
+  template <typename AnyPixel, typename Visit>
+  static void visit_state(AnyPixel& pixel, Visit&& visit);
   void develop_pixel(Layer layer, size_t i, float* out) const;
 
   int width_;

@@ -32,6 +32,7 @@ class Filter {
   /// Normalised filter value at an offset: ∫ eval = 1 [1/pixel²].
   float eval(Vec2 offset) const;
   float radius() const { return radius_; }
+  const FilterSettings& settings() const { return settings_; }
 
  private:
   struct Axis {

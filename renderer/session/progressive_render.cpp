@@ -38,26 +38,48 @@ class ProgressiveRender {
   void run() {
     if (job_.coarse_first) show_coarse_pictures();
     const Camera& camera = job_.scene->camera();
-    Film film(camera.width(), camera.height(), camera.film().filter);
+    auto film = std::make_shared<Film>(camera.width(), camera.height(), camera.film().filter);
+    const uint32_t first_pass = resume(*film);
     const auto integrator = info_.create(job_.scene, *settings_);
     const PassContext context{job_.seed, &parallel_, job_.region};
-    for (uint32_t pass = 0;; ++pass) {
+    for (uint32_t pass = first_pass;; ++pass) {
       try {
-        integrator->render_pass(pass, film, context);
+        integrator->render_pass(pass, *film, context);
       } catch (const Stopped&) {
-        show(film, SessionState::Idle);
+        show(*film, SessionState::Idle);
+        // The part of the pass that is in the film must not be rendered again with the same numbers.
+        save(film, pass + 1);
         throw;
       }
       status_.passes = pass + 1;
-      const bool finished = target_reached(film);
-      if (finished || pass == 0 || publishing_is_due()) {
-        show(film, finished ? SessionState::Finished : SessionState::Rendering);
+      const bool finished = target_reached(*film);
+      if (finished || pass == first_pass || publishing_is_due()) {
+        show(*film, finished ? SessionState::Finished : SessionState::Rendering);
       }
+      if (finished || since_saved_.seconds() >= job_.save_interval) save(film, pass + 1);
       if (finished) return;
     }
   }
 
  private:
+  /// Takes over the progress of an earlier render; returns the pass to go on with.
+  uint32_t resume(Film& film) {
+    if (!job_.resume_from) return 0;
+    film.merge(*job_.resume_from->film);
+    status_.passes = job_.resume_from->next_pass;
+    return job_.resume_from->next_pass;
+  }
+
+  void save(const std::shared_ptr<const Film>& film, uint32_t next_pass) {
+    if (!job_.save) return;
+    job_.save({film, next_pass, seconds()});
+    since_saved_.restart();
+  }
+
+  double seconds() const {
+    return seconds_() + (job_.resume_from ? job_.resume_from->seconds : 0.0);
+  }
+
   /// Pictures of 1/8, 1/4 and 1/2 of the size, one sample per pixel: something to see at once.
   void show_coarse_pictures() {
     const Camera& camera = job_.scene->camera();
@@ -79,7 +101,7 @@ class ProgressiveRender {
     const RenderTargets& targets = job_.targets;
     double progress = 0;
     if (targets.passes > 0) progress = static_cast<double>(status_.passes) / targets.passes;
-    if (targets.seconds > 0) progress = std::max(progress, seconds_() / targets.seconds);
+    if (targets.seconds > 0) progress = std::max(progress, seconds() / targets.seconds);
     if (targets.relative_error > 0 && status_.passes >= kFewestPassesForError) {
       // The error falls with the square root of the work, so the work done goes with its square.
       const double error = film.estimated_relative_error();
@@ -102,7 +124,7 @@ class ProgressiveRender {
     }
     status_.layers = std::move(layers);
     status_.state = state;
-    status_.seconds = seconds_();
+    status_.seconds = seconds();
     status_.samples = film.total_samples();
     status_.rejected_samples = film.rejected();
     status_.relative_error = film.estimated_relative_error();
@@ -119,6 +141,7 @@ class ProgressiveRender {
   const std::function<void(Snapshot)>& publish_;
   Snapshot status_;
   Stopwatch since_published_;
+  Stopwatch since_saved_;
   double publish_cost_ = 0;  // of the last time [s]
 };
 

@@ -17,6 +17,13 @@ struct RenderTargets {
   double relative_error = 0;  // Film::estimated_relative_error
 };
 
+/// Where a render stands between two passes: enough to go on with it later.
+struct RenderProgress {
+  std::shared_ptr<const Film> film;
+  uint32_t next_pass = 0;
+  double seconds = 0;
+};
+
 /// What to render.
 struct RenderJob {
   std::shared_ptr<const Scene> scene;
@@ -29,6 +36,12 @@ struct RenderJob {
   std::optional<PixelRegion> region;
   /// Show pictures of 1/8, 1/4, 1/2 of the size first, so that something is there at once.
   bool coarse_first = false;
+  /// Goes on from here instead of from nothing; the film must have the scene's size.
+  std::optional<RenderProgress> resume_from;
+  /// Called on the render thread every `save_interval` seconds, and at the end, to save the progress.
+  /// An exception it throws ends the job as failed.
+  std::function<void(const RenderProgress&)> save;
+  double save_interval = 60;
 };
 
 /// Renders in a thread of its own, at a priority below that of the caller's. All functions may be called

@@ -1,0 +1,154 @@
+#include <fmt/core.h>
+
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+#include "app/commands.h"
+#include "app/interrupt.h"
+#include "app/progress_bar.h"
+#include "app/render_arguments.h"
+#include "renderer/error.h"
+#include "renderer/io/checkpoint_file.h"
+#include "renderer/session/picture_export.h"
+
+namespace guidelight {
+
+namespace {
+
+constexpr uint32_t kDefaultPasses = 64;
+
+struct RenderCommand {
+  SceneArguments scene;
+  RenderArguments render;
+  std::vector<std::string> outputs;
+  RenderTargets targets;
+  std::string crop;
+  std::string checkpoint;
+  bool resume = false;
+  bool full_float = false;
+
+  void add_to(CLI::App& command) {
+    scene.add_to(command);
+    render.add_to(command);
+    command.add_option("-o,--output", outputs, "Picture to write, .exr or .png; may be repeated")
+        ->required()
+        ->allow_extra_args(false);
+    auto* passes = command.add_option("--spp", targets.passes, "Stop after N samples per pixel");
+    auto* seconds = command.add_option("--time", targets.seconds, "Stop after S seconds");
+    auto* error = command.add_option("--error", targets.relative_error,
+                                     "Stop at this estimated relative error, e.g. 0.02");
+    passes->check(CLI::PositiveNumber)->excludes(seconds)->excludes(error);
+    seconds->check(CLI::PositiveNumber)->excludes(error);
+    error->check(CLI::PositiveNumber);
+    command.add_option("--crop", crop, "Render only x0,y0,x1,y1 [pixels]");
+    command.add_flag("--float", full_float, "Write 32-bit floats to .exr, not 16-bit");
+    auto* save = command.add_option("--checkpoint", checkpoint, "Save the progress to this file");
+    command.add_flag("--resume", resume, "Go on from the checkpoint if it exists")->needs(save);
+  }
+
+  void run() const;
+
+ private:
+  RenderJob make_job() const;
+  void resume_into(RenderJob& job) const;
+};
+
+/// What must agree for two renders to be parts of one.
+Metadata identity_of(const RenderJob& job) {
+  Metadata identity = describe_render(job, Snapshot());
+  for (const char* changing : {"passes", "seconds", "seed", "size"}) identity.erase(changing);
+  return identity;
+}
+
+void RenderCommand::resume_into(RenderJob& job) const {
+  if (!std::filesystem::exists(checkpoint)) return;
+  const Checkpoint saved = read_checkpoint(checkpoint);
+  if (saved.identity != identity_of(job)) {
+    throw Error("{}: saved from another scene, integrator or settings: use the same ones, or another "
+                "checkpoint file",
+                checkpoint);
+  }
+  if (saved.seed != job.seed) {
+    throw Error("{}: saved with --seed {}: resume with the same seed", checkpoint, saved.seed);
+  }
+  job.resume_from = RenderProgress{saved.film, saved.next_pass, saved.seconds};
+}
+
+RenderJob RenderCommand::make_job() const {
+  RenderJob job = render.make_job(Scene::build(scene.read()));
+  const SceneDescription& description = job.scene->description();
+  for (const std::string& warning : description.warnings) {
+    fmt::print(stderr, "guidelight: warning: {}\n", warning);
+  }
+  job.priority = Priority::Normal;
+  job.targets = targets;
+  if (targets.passes == 0 && targets.seconds == 0 && targets.relative_error == 0) {
+    job.targets.passes = description.hints.samples_per_pixel.value_or(kDefaultPasses);
+  }
+  const FilmDescription& film = description.film;
+  if (!crop.empty()) {
+    const std::vector<int> c = split_numbers("--crop", crop, ',', 4);
+    job.region = PixelRegion{c[0], c[1], c[2], c[3]};
+    if (c[0] < 0 || c[1] < 0 || c[2] > film.width || c[3] > film.height || c[0] >= c[2] ||
+        c[1] >= c[3]) {
+      throw Error("--crop {}: the picture has {}x{} pixels: give x0,y0,x1,y1 inside it", crop,
+                  film.width, film.height);
+    }
+  } else if (film.crop_width > 0 && film.crop_height > 0) {
+    job.region = PixelRegion{film.crop_x, film.crop_y, film.crop_x + film.crop_width,
+                             film.crop_y + film.crop_height};
+  }
+  if (resume) resume_into(job);
+  if (!checkpoint.empty()) {
+    const Metadata identity = identity_of(job);
+    job.save = [identity, path = checkpoint, seed = job.seed](const RenderProgress& progress) {
+      write_checkpoint(path, {progress.film, progress.next_pass, progress.seconds, seed, identity});
+    };
+  }
+  return job;
+}
+
+void RenderCommand::run() const {
+  for (const std::string& path : outputs) check_picture_path(path);
+  const RenderJob job = make_job();
+  const InterruptGuard interrupt;
+  ProgressBar progress;
+  RenderSession session;
+  session.start(job);
+  uint64_t shown = 0;
+  for (;;) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    const auto snapshot = session.snapshot();
+    if (snapshot->state == SessionState::Finished || snapshot->state == SessionState::Failed) break;
+    if (interrupt.interrupted()) {
+      session.stop();
+      break;
+    }
+    if (snapshot->generation != shown) progress.show(*snapshot);
+    shown = snapshot->generation;
+  }
+  session.wait();
+  const auto snapshot = session.snapshot();
+  progress.finish(*snapshot);
+  if (snapshot->state == SessionState::Failed) throw Error(snapshot->error);
+  if (snapshot->rejected_samples > 0) {
+    fmt::print(stderr, "guidelight: warning: {} samples were not finite and count as black\n",
+               snapshot->rejected_samples);
+  }
+  for (const std::string& path : outputs) {
+    export_picture(path, job, *snapshot, full_float);
+    fmt::print("{}\n", path);
+  }
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("render", "Render a scene to pictures");
+  const auto arguments = std::make_shared<RenderCommand>();
+  arguments->add_to(*command);
+  command->callback([arguments] { arguments->run(); });
+}
+
+}  // namespace guidelight

@@ -1,0 +1,127 @@
+#include "renderer/session/picture_export.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "renderer/error.h"
+
+namespace guidelight {
+
+namespace {
+
+/// FNV-1a over the bytes of a file; 0 if it cannot be read.
+uint64_t file_hash(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return 0;
+  uint64_t hash = 0xcbf29ce484222325ull;
+  for (char byte; file.get(byte);) hash = (hash ^ static_cast<uint8_t>(byte)) * 0x100000001b3ull;
+  return hash;
+}
+
+std::string matrix_text(const Mat4& m) {
+  std::string text;
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      text += fmt::format("{}{}", text.empty() ? "" : " ", m[column][row]);
+    }
+  }
+  return text;
+}
+
+/// The job's region of an image, or all of it. Coarse pictures are kept whole.
+Image crop(const Image& image, const RenderJob& job, const Snapshot& snapshot) {
+  if (!job.region || snapshot.coarse) return image;
+  const int x0 = std::clamp(job.region->x0, 0, image.width());
+  const int y0 = std::clamp(job.region->y0, 0, image.height());
+  const int x1 = std::clamp(job.region->x1, x0, image.width());
+  const int y1 = std::clamp(job.region->y1, y0, image.height());
+  Image result(x1 - x0, y1 - y0, image.channels());
+  if (result.empty()) {
+    throw Error("the render region lies outside the {}x{} picture: choose one inside", image.width(),
+                image.height());
+  }
+  for (int y = y0; y < y1; ++y) {
+    std::copy_n(image.pixel(x0, y), static_cast<size_t>(result.width()) * image.channels(),
+                result.pixel(0, y - y0));
+  }
+  return result;
+}
+
+std::string extension(const std::string& path) {
+  std::string text = std::filesystem::path(path).extension().string();
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+void require_picture(const Snapshot& snapshot) {
+  if (!snapshot.has_picture()) throw Error("there is no picture yet: wait for the first pass");
+}
+
+}  // namespace
+
+Metadata describe_render(const RenderJob& job, const Snapshot& snapshot) {
+  const SceneDescription& description = job.scene->description();
+  Metadata data;
+  data["software"] = "Guidelight";
+  data["scene"] = description.path;
+  data["scene_hash"] = fmt::format("{:016x}", file_hash(description.path));
+  data["integrator"] = job.integrator;
+  const auto settings = job.settings
+                            ? job.settings->clone()
+                            : find_integrator(job.integrator).make_settings(description.hints);
+  for (const Parameter& parameter : settings->parameters()) {
+    data["set." + parameter.key] = parameter_text(parameter);
+  }
+  data["passes"] = fmt::format("{}", snapshot.passes);
+  data["seconds"] = fmt::format("{:.3f}", snapshot.seconds);
+  data["seed"] = fmt::format("{}", job.seed);
+  data["camera_to_world"] = matrix_text(job.scene->camera().description().to_world);
+  data["size"] = fmt::format("{}x{}", snapshot.full_width, snapshot.full_height);
+  if (job.region) {
+    data["region"] = fmt::format("{},{},{},{}", job.region->x0, job.region->y0, job.region->x1,
+                                 job.region->y1);
+  }
+  return data;
+}
+
+void export_exr(const std::string& path, const RenderJob& job, const Snapshot& snapshot,
+                bool half_precision) {
+  require_picture(snapshot);
+  ImageLayers picture;
+  picture.metadata = describe_render(job, snapshot);
+  for (const Layer layer : kAllLayers) {
+    picture.layers.emplace_back(layer_name(layer), crop(snapshot.layer(layer), job, snapshot));
+  }
+  write_exr(path, picture, half_precision);
+}
+
+void export_png(const std::string& path, const RenderJob& job, const Snapshot& snapshot,
+                const DisplaySettings& display, Layer layer) {
+  require_picture(snapshot);
+  DisplayImage image;
+  display_image(crop(snapshot.layer(layer), job, snapshot), display, image);
+  Metadata data = describe_render(job, snapshot);
+  data["layer"] = layer_name(layer);
+  data["exposure"] = fmt::format("{}", display.exposure);
+  write_png(path, image, data);
+}
+
+void check_picture_path(const std::string& path) {
+  const std::string ending = extension(path);
+  if (ending != ".exr" && ending != ".png") {
+    throw Error("{}: pictures are written as .exr or .png: choose one of these endings", path);
+  }
+}
+
+void export_picture(const std::string& path, const RenderJob& job, const Snapshot& snapshot,
+                    bool full_float) {
+  check_picture_path(path);
+  if (extension(path) == ".exr") {
+    export_exr(path, job, snapshot, !full_float);
+  } else {
+    export_png(path, job, snapshot, {});
+  }
+}
+
+}  // namespace guidelight

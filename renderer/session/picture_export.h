@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+
+#include "renderer/image/tonemap.h"
+#include "renderer/io/image_file.h"
+#include "renderer/session/render_session.h"
+
+namespace guidelight {
+
+/// What travels with every picture: scene and its hash, integrator and parameters, passes, seconds, seed,
+/// camera. Keys are lower case, e.g. "scene", "scene_hash", "integrator", "set.max_depth", "passes".
+Metadata describe_render(const RenderJob& job, const Snapshot& snapshot);
+
+/// Writes all layers, linear, with metadata; only the job's region, if it has one. Throws Error.
+void export_exr(const std::string& path, const RenderJob& job, const Snapshot& snapshot,
+                bool half_precision = true);
+
+/// Writes one layer as a screen shows it, with metadata. Throws Error.
+void export_png(const std::string& path, const RenderJob& job, const Snapshot& snapshot,
+                const DisplaySettings& display, Layer layer = Layer::Beauty);
+
+/// By the ending of `path`, .exr or .png. Throws Error for any other.
+void export_picture(const std::string& path, const RenderJob& job, const Snapshot& snapshot,
+                    bool full_float = false);
+
+/// Throws Error if `path` has no ending that export_picture knows.
+void check_picture_path(const std::string& path);
+
+}  // namespace guidelight
