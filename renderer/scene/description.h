@@ -303,7 +303,8 @@ enum class CameraModel { Perspective, ThinLens, Orthographic };
 enum class FovAxis { X, Y, Diagonal, Smaller, Larger };
 
 /// Looks along local +z with +y up and +x to the left of the picture (Mitsuba's convention). A mirrored
-/// to_world gives a mirrored picture. Orthographic cameras see x, y in [-1,1] of their local space.
+/// to_world gives a mirrored picture. Orthographic cameras see x in [-1,1] of their local space, and of y as
+/// much as square pixels show.
 struct CameraDescription {
   CameraModel model = CameraModel::Perspective;
   Mat4 to_world{1.0f};

@@ -2,8 +2,8 @@
 
 #include "renderer/error.h"
 #include "renderer/scene/analytic_shape.h"
-#include "renderer/scene/mesh_shape.h"
 #include "renderer/scene/shape_transform.h"
+#include "renderer/scene/triangle_mesh.h"
 
 namespace guidelight {
 

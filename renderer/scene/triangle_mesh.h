@@ -32,6 +32,7 @@ class TriangleMesh final : public Shape {
   float area() const override { return area_; }
   Bounds bounds() const override { return bounds_; }
   size_t triangle_count() const override { return mesh_->triangles.size(); }
+  size_t bytes() const override;
 
  private:
   static constexpr size_t kPadding = 2;

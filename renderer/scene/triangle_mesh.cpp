@@ -1,4 +1,4 @@
-#include "renderer/scene/mesh_shape.h"
+#include "renderer/scene/triangle_mesh.h"
 
 #include <algorithm>
 
@@ -102,6 +102,13 @@ void TriangleMesh::measure() {
   triangle_distribution_ = DiscreteDistribution(areas);
   area_ = static_cast<float>(triangle_distribution_.total());
   inverse_area_ = area_ > 0 ? 1 / area_ : 0.0f;
+}
+
+size_t TriangleMesh::bytes() const {
+  return sizeof(*this) + std::span(mesh_->triangles).size_bytes() +
+         std::span(mesh_->uvs).size_bytes() + std::span(mesh_->colors).size_bytes() +
+         std::span(positions_).size_bytes() + std::span(normals_).size_bytes() +
+         sizeof(float) * triangle_distribution_.size();
 }
 
 void TriangleMesh::fill(const Ray&, const Hit& hit, SurfacePoint& point) const {
