@@ -11,7 +11,7 @@
 
 #include "renderer/error.h"
 #include "renderer/scene/analytic_shape.h"
-#include "renderer/scene/mesh_shape.h"
+#include "renderer/scene/triangle_mesh.h"
 
 namespace guidelight {
 

@@ -1,6 +1,7 @@
 #include "renderer/scene/scene.h"
 
 #include "renderer/scene/accelerator.h"
+#include "renderer/scene/ray_log.h"
 
 namespace guidelight {
 
@@ -14,15 +15,23 @@ std::shared_ptr<const Scene> Scene::with_camera(const Camera& camera) const {
   return std::shared_ptr<const Scene>(new Scene(content_, camera));
 }
 
+std::shared_ptr<const Scene> Scene::with_ray_log(RayLog& log) const {
+  const std::shared_ptr<Scene> scene(new Scene(content_, camera_));
+  scene->log_ = &log;
+  return scene;
+}
+
 Hit Scene::intersect(const Ray& ray) const { return content_->accelerator->intersect(ray); }
 
 bool Scene::occluded(const Ray& ray) const { return content_->accelerator->occluded(ray); }
 
 void Scene::intersect(std::span<const Ray> rays, std::span<Hit> hits) const {
+  if (log_) log_->add(false, rays);
   content_->accelerator->intersect(rays, hits);
 }
 
 void Scene::occluded(std::span<const Ray> rays, std::span<uint8_t> blocked) const {
+  if (log_) log_->add(true, rays);
   content_->accelerator->occluded(rays, blocked);
 }
 

@@ -16,6 +16,7 @@
 namespace guidelight {
 
 class Accelerator;
+class RayLog;
 
 /// The immutable run-time form of a SceneDescription: everything an integrator asks of a scene. Shared by
 /// shared_ptr<const Scene>; an edit makes a new one that shares what did not change.
@@ -30,6 +31,9 @@ class Scene {
 
   /// The same scene through another camera; shares everything else.
   std::shared_ptr<const Scene> with_camera(const Camera& camera) const;
+
+  /// The same scene that writes down every batch of rays; `log` must outlive it.
+  std::shared_ptr<const Scene> with_ray_log(RayLog& log) const;
 
   const SceneDescription& description() const { return *content_->description; }
   const Camera& camera() const { return camera_; }
@@ -114,6 +118,7 @@ class Scene {
 
   std::shared_ptr<const Content> content_;
   Camera camera_;
+  RayLog* log_ = nullptr;
 };
 
 }  // namespace guidelight
