@@ -73,7 +73,7 @@ class Bsdf {
   /// All lobes the BSDF may have anywhere on the surface.
   virtual int lobes() const = 0;
 
-  /// Interior over exterior IOR of finite transmission; 1 where there is none.
+  /// Interior over exterior IOR where light is refracted; 1 where it is not.
   virtual float eta() const { return 1; }
 
   /// Approximate share of light reflected or transmitted: the albedo layer.

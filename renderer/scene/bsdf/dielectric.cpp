@@ -40,6 +40,7 @@ class SmoothDielectric final : public Bsdf {
   }
 
   int lobes() const override { return kLobeDelta; }
+  float eta() const override { return eta_; }
   Color albedo(const SurfacePoint& point) const override {
     return glm::max(reflectance_.eval(point), transmittance_.eval(point));
   }

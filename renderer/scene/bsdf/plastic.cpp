@@ -1,38 +1,16 @@
+#include "renderer/scene/bsdf/plastic.h"
+
 #include "renderer/sampling/warp.h"
-#include "renderer/scene/bsdf/factories.h"
 #include "renderer/scene/bsdf/fresnel.h"
 #include "renderer/scene/bsdf/microfacet.h"
 
 namespace guidelight {
 namespace {
 
-/// Share of samples that a lobe deserves by its mean colour alone.
-float specular_sampling_weight(const ColorTexture& diffuse, const ColorTexture& specular) {
-  const float d = luminance(diffuse.mean());
-  const float s = luminance(specular.mean());
-  return d + s > 0 ? s / (d + s) : 1.0f;
-}
-
-/// The diffuse base as seen through the coat, without the transmittances of the two crossings:
-/// light that the coat reflects back down (share `internal`) scatters again, a geometric series;
-/// 1/η² is the compression of radiance on entry.
-struct DiffuseBase {
-  ColorTexture reflectance;
-  float internal;
-  float eta;
-  bool nonlinear;
-
-  Color eval(const SurfacePoint& point) const {
-    const Color rho = reflectance.eval(point);
-    const Color loss = nonlinear ? rho * internal : Color(internal);
-    return rho / (1.0f - loss) / sqr(eta);
-  }
-};
-
 /// Smooth dielectric coat over a diffuse base, on the outside only.
 class SmoothPlastic final : public Bsdf {
  public:
-  SmoothPlastic(float eta, DiffuseBase base, ColorTexture specular)
+  SmoothPlastic(float eta, PlasticBase base, ColorTexture specular)
       : eta_(eta),
         specular_weight_(specular_sampling_weight(base.reflectance, specular)),
         base_(std::move(base)),
@@ -68,8 +46,9 @@ class SmoothPlastic final : public Bsdf {
                                         Lobe lobe) const override {
     if (wo.z <= 0 || lobe != kLobeDeltaReflection) return std::nullopt;
     const float reflected = 1 - transmittance(wo);
-    return SpecularEvent{reflect(wo), reflected * specular_.eval(point),
-                         specular_probability(reflected)};
+    const float p_specular = specular_probability(reflected);
+    if (p_specular == 0) return std::nullopt;
+    return SpecularEvent{reflect(wo), reflected * specular_.eval(point), p_specular};
   }
 
   int lobes() const override { return kLobeDeltaReflection | kLobeDiffuse; }
@@ -78,22 +57,22 @@ class SmoothPlastic final : public Bsdf {
  private:
   float transmittance(Vec3 w) const { return 1 - fresnel_dielectric(w.z, eta_).reflectance; }
   float specular_probability(float reflected) const {
-    const float specular = reflected * specular_weight_;
-    const float diffuse = (1 - reflected) * (1 - specular_weight_);
-    return specular + diffuse > 0 ? specular / (specular + diffuse) : 1.0f;
+    return coat_probability(reflected, specular_weight_);
   }
 
   float eta_;
   float specular_weight_;
-  DiffuseBase base_;
+  PlasticBase base_;
   ColorTexture specular_;
 };
 
 }  // namespace
 
 BsdfPointer make_bsdf(const PlasticBsdf& description, const BsdfContext& context) {
+  if (!is_smooth(context.scalar(description.alpha)))
+    return make_rough_plastic(description, context);
   const float eta = context.relative_ior(description.int_ior, description.ext_ior);
-  DiffuseBase base{context.color(description.diffuse_reflectance),
+  PlasticBase base{context.color(description.diffuse_reflectance),
                    diffuse_fresnel_reflectance(1 / eta), eta, description.nonlinear};
   return std::make_shared<SmoothPlastic>(eta, std::move(base),
                                          context.color(description.specular_reflectance));

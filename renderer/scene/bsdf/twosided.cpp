@@ -50,8 +50,10 @@ class TwoSided final : public Bsdf {
 }  // namespace
 
 BsdfPointer make_bsdf(const TwoSidedBsdf& description, const BsdfContext& context) {
-  return std::make_shared<TwoSided>(context.nested(description.front),
-                                    context.nested(description.back));
+  BsdfPointer front = context.nested(description.front);
+  // An interface that refracts has two sides already, and they differ.
+  if (front->eta() != 1) return front;
+  return std::make_shared<TwoSided>(std::move(front), context.nested(description.back));
 }
 
 }  // namespace guidelight

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "renderer/scene/bsdf/factories.h"
+
+namespace guidelight {
+
+/// Share of samples that the specular of two lobes deserves by its mean colour alone.
+inline float specular_sampling_weight(const ColorTexture& diffuse, const ColorTexture& specular) {
+  const float d = luminance(diffuse.mean());
+  const float s = luminance(specular.mean());
+  return d + s > 0 ? s / (d + s) : 1.0f;
+}
+
+/// Models whose lobes add up are dimmed where they would reflect more than they receive; by as much
+/// as Mitsuba dims them, so that its scenes look the same.
+inline float energy_scale(const ColorTexture& diffuse, const ColorTexture& specular) {
+  const float sum = max_component(diffuse.mean() + specular.mean());
+  return sum > 1 ? 0.99f / sum : 1.0f;
+}
+
+/// Finishes a sample whose direction came from one of several finite lobes that cover each other:
+/// its density and weight are those of all of them together.
+inline std::optional<BsdfSample> sample_of_all_lobes(const Bsdf& bsdf, const SurfacePoint& point,
+                                                     Vec3 wo, Vec3 wi, Lobe lobe) {
+  const float pdf = bsdf.pdf(point, wo, wi);
+  if (!(pdf > 0)) return std::nullopt;
+  return BsdfSample{wi, bsdf.eval(point, wo, wi) / pdf, pdf, 1.0f, lobe};
+}
+
+}  // namespace guidelight
