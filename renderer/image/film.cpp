@@ -51,16 +51,15 @@ void Film::prepare_splats() {
 }
 
 void Film::add_splat(Vec2 raster, Color contribution, Vec2 u) {
-  // A sample at `raster` reaches pixel centre c with weight f(raster - c); choosing the one offset that
-  // it is seen with makes a splat touch a single pixel, as a camera sample does.
-  const Filter::Sample offset = filter_.sample(u);
-  const Vec2 position = raster - offset.offset;
-  const int x = static_cast<int>(std::floor(position.x));
-  const int y = static_cast<int>(std::floor(position.y));
-  if (x < 0 || y < 0 || x >= width_ || y >= height_ || !is_finite(contribution)) return;
-  double* sums = &splats_[3 * index(x, y)];
+  // As a camera sample belongs to one pixel, so does a splat: the filter chooses which.
+  const Filter::PixelChoice x = filter_.choose_pixel(raster.x, u.x);
+  const Filter::PixelChoice y = filter_.choose_pixel(raster.y, u.y);
+  if (x.pixel < 0 || y.pixel < 0 || x.pixel >= width_ || y.pixel >= height_) return;
+  if (!is_finite(contribution)) return;
+  double* sums = &splats_[3 * index(x.pixel, y.pixel)];
+  const double weight = static_cast<double>(x.weight) * y.weight;
   for (int c = 0; c < 3; ++c) {
-    std::atomic_ref(sums[c]).fetch_add(offset.weight * contribution[c], std::memory_order_relaxed);
+    std::atomic_ref(sums[c]).fetch_add(weight * contribution[c], std::memory_order_relaxed);
   }
 }
 

@@ -121,4 +121,19 @@ Filter::Sample Filter::sample(Vec2 u) const {
   return {{x.offset, y.offset}, x.weight * y.weight};
 }
 
+Filter::PixelChoice Filter::choose_pixel(float x, float u) const {
+  const int first = static_cast<int>(std::ceil(x - radius_ - 0.5f));
+  const int last = static_cast<int>(std::floor(x + radius_ - 0.5f));
+  const auto value = [&](int i) { return eval_axis(x - (static_cast<float>(i) + 0.5f)); };
+  float total = 0;
+  for (int i = first; i <= last; ++i) total += std::abs(value(i));
+  float rest = u * total;
+  int chosen = first;
+  for (; chosen < last; ++chosen) {
+    rest -= std::abs(value(chosen));
+    if (rest < 0) break;
+  }
+  return {chosen, std::copysign(total, value(chosen))};
+}
+
 }  // namespace guidelight

@@ -32,6 +32,14 @@ class Filter {
   explicit Filter(const FilterSettings& settings = {});
 
   Sample sample(Vec2 u) const;
+
+  /// The other way round, for one axis: which pixel a contribution at raster coordinate x goes to. Pixel
+  /// i is chosen in proportion to |f(x - (i + 0.5))|, and the weight makes the expectation at i equal f.
+  struct PixelChoice {
+    int pixel;
+    float weight;
+  };
+  PixelChoice choose_pixel(float x, float u) const;
   /// Normalised filter value at an offset [pixels] from the centre: ∫ eval = 1 [1/pixel²].
   float eval(Vec2 offset) const;
   float radius() const { return radius_; }
