@@ -18,15 +18,16 @@ Vec3 square_to_cosine_hemisphere(Vec2 u) {
 
 Vec3 square_to_sphere(Vec2 u) { return square_to_cap(u, -1.0f); }
 
-Vec3 square_to_cap(Vec2 u, float cos_max) {
-  // 1-cosθ is interpolated, not cosθ: small caps keep full precision.
-  const float one_minus_cos = u.x * (1 - cos_max);
+Vec3 square_to_cap(Vec2 u, float cos_max) { return square_to_narrow_cap(u, 1 - cos_max); }
+
+Vec3 square_to_narrow_cap(Vec2 u, float one_minus_cos_max) {
+  const float one_minus_cos = u.x * one_minus_cos_max;
   const float sin_theta = safe_sqrt(one_minus_cos * (2 - one_minus_cos));
   const float phi = 2 * kPi * u.y;
   return {sin_theta * std::cos(phi), sin_theta * std::sin(phi), 1 - one_minus_cos};
 }
 
-float uniform_cap_pdf(float cos_max) { return 0.5f * kInvPi / (1 - cos_max); }
+float uniform_cap_pdf(float cos_max) { return narrow_cap_pdf(1 - cos_max); }
 
 Vec2 square_to_triangle(Vec2 u) {
   const float root = std::sqrt(u.x);

@@ -1,6 +1,7 @@
 #include "renderer/scene/camera.h"
 
 #include "renderer/error.h"
+#include "renderer/math/axes.h"
 #include "renderer/sampling/warp.h"
 
 namespace guidelight {
@@ -70,25 +71,19 @@ Camera::Camera(const CameraDescription& camera, const FilmDescription& film)
   width_ = film.crop_width > 0 ? film.crop_width : film.width;
   height_ = film.crop_width > 0 ? film.crop_height : film.height;
 
-  const Mat3 linear(camera.to_world);
-  const Vec3 scale(glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2]));
-  const double volume = static_cast<double>(scale.x) * scale.y * scale.z;
-  if (!is_finite(position_) || !std::isfinite(volume) ||
-      !(std::abs(glm::determinant(glm::dmat3(linear))) > 1e-8 * volume)) {
+  const auto axes = orthonormal_axes(camera.to_world);
+  if (!axes) {
     throw Error(
         "the camera's transform is singular or not finite: give it one that can be inverted");
   }
-  // The view direction and the picture's vertical are kept exactly; shear, which no file means, is
-  // dropped.
-  axes_[2] = linear[2] / scale.z;
-  axes_[1] = glm::normalize(linear[1] - axes_[2] * glm::dot(axes_[2], linear[1]));
-  axes_[0] = glm::cross(axes_[1], axes_[2]);
-  if (glm::dot(axes_[0], linear[0]) < 0) axes_[0] = -axes_[0];
+  axes_ = *axes;
 
   // Scaled axes stretch an orthographic picture; a perspective one only if they are scaled
   // differently.
   const bool orthographic = camera.model == CameraModel::Orthographic;
-  const Vec2 stretch = Vec2(scale) / (orthographic ? 1.0f : scale.z);
+  const Mat3 linear(camera.to_world);
+  const Vec2 scale(glm::length(linear[0]), glm::length(linear[1]));
+  const Vec2 stretch = scale / (orthographic ? 1.0f : glm::length(linear[2]));
   const Vec2 half = stretch * half_extent(camera, static_cast<float>(film.width) /
                                                       static_cast<float>(film.height));
   plane_per_pixel_ = -2.0f * half / Vec2(film.width, film.height);

@@ -260,7 +260,8 @@ struct ConstantEmitter {
   Color radiance{1.0f};
 };
 
-/// Latitude-longitude image; its top row is +y, its centre column -z (Mitsuba's convention).
+/// Latitude-longitude image; its top row is +y, its left edge -z, its centre column +z and the middle of its
+/// left half +x (Mitsuba's convention).
 struct EnvironmentEmitter {
   std::shared_ptr<const Image> image;
   Mat4 to_world{1.0f};
@@ -276,11 +277,12 @@ struct SunSkyEmitter {
   float sun_scale = 1;
   float sky_scale = 1;
   float sun_radius_scale = 1;
-  Color ground_albedo{0.15f};
+  Color ground_albedo{0.15f};  // of other sky models; Preetham's has no ground
   Mat4 to_world{1.0f};
 };
 
-/// Throws an image along local +z through a horizontal field of view [rad].
+/// Throws an image along local +z through a horizontal field of view [rad], +x to the left. A white diffuse
+/// screen at z = 1 shows the image's own values times scale, as radiance [W/(m² sr)].
 struct ProjectorEmitter {
   Mat4 to_world{1.0f};
   std::shared_ptr<const Image> image;

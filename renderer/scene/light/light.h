@@ -80,9 +80,10 @@ class Light {
     return 0;
   }
 
-  virtual std::optional<EmissionSample> sample_emission(Vec2 u_position, Vec2 u_direction) const = 0;
-  /// Densities of sample_emission: leaving `point` (ignored by lights without surface) in unit direction w.
-  /// A density of a delta component is 0.
+  virtual std::optional<EmissionSample> sample_emission(Vec2 u_position,
+                                                        Vec2 u_direction) const = 0;
+  /// Densities of sample_emission: leaving `point` (ignored by lights without surface) in unit
+  /// direction w. A density of a delta component is 0.
   virtual EmissionPdf pdf_emission(const SurfacePoint& point, Vec3 w) const = 0;
 
   /// Position in Scene::lights(); set by the scene that owns the light.
