@@ -142,9 +142,15 @@ void Film::develop_pixel(Layer layer, size_t i, float* out) const {
 
 Image Film::develop(Layer layer) const {
   Image image(width_, height_, layer_channels(layer));
-  float* out = image.data().data();
-  for (size_t i = 0; i < pixels_.size(); ++i, out += image.channels()) develop_pixel(layer, i, out);
+  develop_rows(layer, 0, height_, image);
   return image;
+}
+
+void Film::develop_rows(Layer layer, int y0, int y1, Image& out) const {
+  const size_t end = static_cast<size_t>(y1) * width_;
+  for (size_t i = static_cast<size_t>(y0) * width_; i < end; ++i) {
+    develop_pixel(layer, i, &out.data()[i * out.channels()]);
+  }
 }
 
 namespace {

@@ -65,6 +65,8 @@ class Film {
   void clear();
 
   Image develop(Layer layer) const;
+  /// Rows [y0,y1) only, into an image of the film's size and the layer's channels.
+  void develop_rows(Layer layer, int y0, int y1, Image& out) const;
 
   /// Everything the film has summed, for checkpoints; a film of the same size takes it back. restore()
   /// throws Error if the length does not fit.

@@ -21,16 +21,13 @@ constexpr uint32_t kFewestPassesForError = 16;
 
 class ProgressiveRender {
  public:
-  ProgressiveRender(const RenderJob& job, WorkControl& control,
-                    const std::function<double()>& seconds,
-                    const std::function<void(Snapshot)>& publish)
+  ProgressiveRender(const RenderJob& job, WorkControl& control, RenderObserver& observer)
       : job_(job),
         info_(find_integrator(job.integrator)),
         settings_(job.settings ? job.settings->clone()
                                : info_.make_settings(job.scene->description().hints)),
         parallel_(job.threads, &control, job.priority),
-        seconds_(seconds),
-        publish_(publish) {
+        observer_(observer) {
     status_.full_width = job.scene->camera().width();
     status_.full_height = job.scene->camera().height();
   }
@@ -46,9 +43,11 @@ class ProgressiveRender {
       try {
         integrator->render_pass(pass, *film, context);
       } catch (const Stopped&) {
-        show(*film, SessionState::Idle);
-        // The part of the pass that is in the film must not be rendered again with the same numbers.
-        save(film, pass + 1);
+        if (observer_.wants_unfinished()) {
+          show(*film, SessionState::Idle);
+          // The part of the pass that is in the film must not be rendered again with the same numbers.
+          save(film, pass + 1);
+        }
         throw;
       }
       status_.passes = pass + 1;
@@ -77,7 +76,7 @@ class ProgressiveRender {
   }
 
   double seconds() const {
-    return seconds_() + (job_.resume_from ? job_.resume_from->seconds : 0.0);
+    return observer_.seconds() + (job_.resume_from ? job_.resume_from->seconds : 0.0);
   }
 
   /// Pictures of 1/8, 1/4 and 1/2 of the size, one sample per pixel: something to see at once.
@@ -113,32 +112,46 @@ class ProgressiveRender {
 
   bool publishing_is_due() const {
     const double silence = since_published_.seconds();
-    return silence * kPublishShare >= publish_cost_ || silence >= longest_silence(seconds_());
+    return silence * kPublishShare >= publish_cost_ || silence >= longest_silence(observer_.seconds());
   }
 
   void show(const Film& film, SessionState state) {
     const Stopwatch publishing;
-    auto layers = std::make_shared<Snapshot::Layers>();
-    for (const Layer layer : kAllLayers) {
-      (*layers)[static_cast<size_t>(layer)] = film.develop(layer);
-    }
-    status_.layers = std::move(layers);
+    status_.layers = develop(film);
     status_.state = state;
     status_.seconds = seconds();
     status_.samples = film.total_samples();
     status_.rejected_samples = film.rejected();
     status_.relative_error = film.estimated_relative_error();
-    publish_(status_);
+    observer_.publish(status_);
     publish_cost_ = publishing.seconds();
     since_published_.restart();
+  }
+
+  /// All layers, in bands of rows over all threads. Not through parallel_, whose loops end when the job
+  /// is to stop.
+  std::shared_ptr<const Snapshot::Layers> develop(const Film& film) const {
+    constexpr int kBand = 64;  // rows
+    auto layers = std::make_shared<Snapshot::Layers>();
+    for (const Layer layer : kAllLayers) {
+      (*layers)[static_cast<size_t>(layer)] = Image(film.width(), film.height(), layer_channels(layer));
+    }
+    Parallel(job_.threads, nullptr, job_.priority)
+        .for_each((film.height() + kBand - 1) / kBand, [&](size_t band) {
+          const int y0 = static_cast<int>(band) * kBand;
+          const int y1 = std::min(y0 + kBand, film.height());
+          for (const Layer layer : kAllLayers) {
+            film.develop_rows(layer, y0, y1, (*layers)[static_cast<size_t>(layer)]);
+          }
+        });
+    return layers;
   }
 
   const RenderJob& job_;
   const IntegratorInfo& info_;
   std::unique_ptr<IntegratorSettings> settings_;
   Parallel parallel_;
-  const std::function<double()>& seconds_;
-  const std::function<void(Snapshot)>& publish_;
+  RenderObserver& observer_;
   Snapshot status_;
   Stopwatch since_published_;
   Stopwatch since_saved_;
@@ -147,11 +160,9 @@ class ProgressiveRender {
 
 }  // namespace
 
-void render_progressively(const RenderJob& job, WorkControl& control,
-                          const std::function<double()>& seconds,
-                          const std::function<void(Snapshot)>& publish) {
+void render_progressively(const RenderJob& job, WorkControl& control, RenderObserver& observer) {
   if (!job.scene) throw Error("there is no scene to render: open one first");
-  ProgressiveRender(job, control, seconds, publish).run();
+  ProgressiveRender(job, control, observer).run();
 }
 
 }  // namespace guidelight

@@ -11,12 +11,12 @@ namespace guidelight {
 
 /// Everything below is guarded by one mutex that is only ever held for a moment. The render thread holds
 /// no lock while it renders.
-class RenderSession::Impl {
+class RenderSession::Impl : private RenderObserver {
  public:
   explicit Impl(std::function<void()> published)
       : published_(std::move(published)), thread_([this] { run(); }) {}
 
-  ~Impl() {
+  ~Impl() override {
     {
       const std::lock_guard lock(mutex_);
       quit_ = true;
@@ -64,8 +64,7 @@ class RenderSession::Impl {
   void run() {
     while (auto job = next_job()) {
       try {
-        render_progressively(*job, *control_, [this] { return elapsed(); },
-                             [this](Snapshot snapshot) { publish(std::move(snapshot)); });
+        render_progressively(*job, *control_, *this);
       } catch (const Stopped&) {
         // Given up on request; what there was has been published.
       } catch (const std::exception& error) {
@@ -93,7 +92,7 @@ class RenderSession::Impl {
     return job;
   }
 
-  void publish(Snapshot snapshot) {
+  void publish(Snapshot snapshot) override {
     {
       const std::lock_guard lock(mutex_);
       snapshot.job = current_job_;
@@ -109,9 +108,14 @@ class RenderSession::Impl {
     if (published_) published_();
   }
 
-  double elapsed() const {
+  double seconds() const override {
     const std::lock_guard lock(mutex_);
     return watch_.seconds();
+  }
+
+  bool wants_unfinished() const override {
+    const std::lock_guard lock(mutex_);
+    return !next_ && !quit_;
   }
 
   // -- Called with the mutex held.
