@@ -120,7 +120,7 @@ TEST(RenderSession, a_job_started_while_paused_shows_a_picture_and_rests) {
 
 TEST(RenderSession, restarts_and_stops_without_waiting_for_a_pass) {
   // A picture whose pass takes much longer than the 50 ms within which a render must stop.
-  RenderJob job = room_job(2048);
+  RenderJob job = room_job(1024);
   RenderSession session;
   session.start(job);
   std::this_thread::sleep_for(30ms);
