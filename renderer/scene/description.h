@@ -79,7 +79,7 @@ struct RoughDiffuseBsdf {
 struct ConductorBsdf {
   Color eta{0.0f};
   Color k{1.0f};
-  ColorInput specular_reflectance;
+  ColorInput specular_reflectance{};
   FloatInput alpha_u{0.0f};
   FloatInput alpha_v{0.0f};
   Microfacet distribution = Microfacet::Beckmann;
@@ -88,8 +88,8 @@ struct ConductorBsdf {
 struct DielectricBsdf {
   float int_ior = 1.5046f;
   float ext_ior = 1.000277f;
-  ColorInput specular_reflectance;
-  ColorInput specular_transmittance;
+  ColorInput specular_reflectance{};
+  ColorInput specular_transmittance{};
   FloatInput alpha_u{0.0f};
   FloatInput alpha_v{0.0f};
   Microfacet distribution = Microfacet::Beckmann;
@@ -99,8 +99,8 @@ struct DielectricBsdf {
 struct ThinDielectricBsdf {
   float int_ior = 1.5046f;
   float ext_ior = 1.000277f;
-  ColorInput specular_reflectance;
-  ColorInput specular_transmittance;
+  ColorInput specular_reflectance{};
+  ColorInput specular_transmittance{};
 };
 
 /// Diffuse base under a dielectric coat (Mitsuba's plastic and roughplastic).
@@ -108,7 +108,7 @@ struct PlasticBsdf {
   float int_ior = 1.49f;
   float ext_ior = 1.000277f;
   ColorInput diffuse_reflectance{Color(0.5f)};
-  ColorInput specular_reflectance;
+  ColorInput specular_reflectance{};
   bool nonlinear = false;  // colour shift by internal scattering
   FloatInput alpha{0.0f};
   Microfacet distribution = Microfacet::Beckmann;
@@ -135,7 +135,7 @@ struct CoatingBsdf {
   float ext_ior = 1.000277f;
   float thickness = 1;
   ColorInput sigma_a{Color(0.0f)};
-  ColorInput specular_reflectance;
+  ColorInput specular_reflectance{};
 };
 
 /// (1 - weight)·first + weight·second.

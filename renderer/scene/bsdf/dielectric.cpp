@@ -80,7 +80,7 @@ class RoughDielectric final : public Bsdf {
     if (!facet) return 0;
     const float reflected = fresnel_dielectric(facet->cos_o, eta_).reflectance;
     return (facet->is_reflection ? reflected : 1 - reflected) * facet->jacobian *
-           distribution(point).pdf_visible(wo, facet->m);
+           distribution(point).pdf_visible(std::copysign(1.0f, wo.z) * wo, facet->m);
   }
 
   std::optional<BsdfSample> sample(const SurfacePoint& point, Vec3 wo, float u_lobe,
