@@ -15,8 +15,8 @@ UP, DOWN = (0, 1, 0), (0, -1, 0)
 
 
 def default_scene():
-    """The room of scenes/default: x -1.4..1.4, y 0..2.1, z -1.4..4.2; its right wall is the mirror."""
-    left, right, back, front, top = -1.4, 1.4, -1.4, 4.2, 2.1
+    """The room of scenes/default: x -1.2..1.2, y 0..2, z -1.4..4.2; its right wall is the mirror."""
+    left, right, back, front, top = -1.2, 1.2, -1.4, 4.2, 2.0
 
     skirting_path = [(right, 0, back), (left, 0, back), (left, 0, front), (right, 0, front)]
     skirting = [(0.018, 0), (0.018, 0.1)] + arc((0, 0.1), 0.018, 0, 90)[1:]
