@@ -82,8 +82,8 @@ TEST(Film, splats_from_many_threads_are_all_there) {
 }
 
 TEST(Film, a_splat_is_spread_by_the_pixel_filter) {
-  // Over uniform u, a splat at distance (dx, dy) from a pixel's centre reaches it with weight f(dx, dy),
-  // just as a camera sample there would count for that pixel.
+  // Over uniform u, a splat at distance (dx, dy) from a pixel's centre reaches it with weight f(dx,
+  // dy), just as a camera sample there would count for that pixel.
   for (const FilterKind kind :
        {FilterKind::Box, FilterKind::Tent, FilterKind::Gaussian, FilterKind::Mitchell}) {
     const Filter filter({kind});
