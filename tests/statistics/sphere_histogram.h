@@ -80,11 +80,13 @@ template <typename Density>
 double SphereGrid::refine(Density& density, const Rectangle& r, double coarse, double tolerance,
                           int depth) {
   constexpr int kMaxDepth = 6;
-  constexpr int kEmptyDepth = 2;  // nothing found so far may only mean that a sliver was missed
+  constexpr int kMinDepth = 1;    // a narrow peak may hide from the first points
+  constexpr int kEmptyDepth = 2;  // and a sliver from the next
   double parts[4];
   double fine = 0;
   for (int i = 0; i < 4; ++i) fine += parts[i] = estimate(density, r.quarter(i));
-  const bool is_settled = std::abs(fine - coarse) < tolerance && (fine > 0 || depth >= kEmptyDepth);
+  const bool is_settled =
+      std::abs(fine - coarse) < tolerance && depth >= (fine > 0 ? kMinDepth : kEmptyDepth);
   if (is_settled || depth == kMaxDepth) return fine;
   double sum = 0;
   for (int i = 0; i < 4; ++i) {

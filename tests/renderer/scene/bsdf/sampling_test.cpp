@@ -65,7 +65,7 @@ double chi_square(const SurfacePoint& point, Vec3 wo_local, TransportMode mode, 
   }
 
   std::vector<double> expected = grid.integrate(
-      [&](Vec3 wi_local) { return scattering.pdf(point.frame.to_world(wi_local)); }, 5e-6);
+      [&](Vec3 wi_local) { return scattering.pdf(point.frame.to_world(wi_local)); }, 1e-5);
   double total = 0;
   for (const double e : expected) total += e;
   expected.push_back(delta_probability(point, wo_local, kLobeDeltaReflection));
