@@ -63,13 +63,18 @@ double SphereGrid::estimate(Density& density, const Rectangle& r) {
   // Three-point Gauss–Legendre in both directions.
   constexpr double kNodes[3] = {0.1127016653792583, 0.5, 0.8872983346207417};
   constexpr double kWeights[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
-  double sum = 0;
+  double z[3], sin_theta[3];
   for (int i = 0; i < 3; ++i) {
-    const double z = r.cos_min + (r.cos_max - r.cos_min) * kNodes[i];
-    const double sin_theta = std::sqrt(std::max(0.0, 1 - z * z));
-    for (int j = 0; j < 3; ++j) {
-      const double phi = r.phi_min + (r.phi_max - r.phi_min) * kNodes[j];
-      const Vec3 w(sin_theta * std::cos(phi), sin_theta * std::sin(phi), z);
+    z[i] = r.cos_min + (r.cos_max - r.cos_min) * kNodes[i];
+    sin_theta[i] = std::sqrt(std::max(0.0, 1 - z[i] * z[i]));
+  }
+  double sum = 0;
+  for (int j = 0; j < 3; ++j) {
+    const double phi = r.phi_min + (r.phi_max - r.phi_min) * kNodes[j];
+    const double cos_phi = std::cos(phi);
+    const double sin_phi = std::sin(phi);
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 w(sin_theta[i] * cos_phi, sin_theta[i] * sin_phi, z[i]);
       sum += kWeights[i] * kWeights[j] * density(w);
     }
   }
@@ -80,11 +85,13 @@ template <typename Density>
 double SphereGrid::refine(Density& density, const Rectangle& r, double coarse, double tolerance,
                           int depth) {
   constexpr int kMaxDepth = 6;
-  constexpr int kEmptyDepth = 2;  // nothing found so far may only mean that a sliver was missed
+  constexpr int kMinDepth = 1;    // a narrow peak may hide from the first points
+  constexpr int kEmptyDepth = 2;  // and a sliver from the next
   double parts[4];
   double fine = 0;
   for (int i = 0; i < 4; ++i) fine += parts[i] = estimate(density, r.quarter(i));
-  const bool is_settled = std::abs(fine - coarse) < tolerance && (fine > 0 || depth >= kEmptyDepth);
+  const bool is_settled =
+      std::abs(fine - coarse) < tolerance && depth >= (fine > 0 ? kMinDepth : kEmptyDepth);
   if (is_settled || depth == kMaxDepth) return fine;
   double sum = 0;
   for (int i = 0; i < 4; ++i) {

@@ -61,7 +61,7 @@ class Scattering {
   std::optional<ScatteringSample> sample(float u_lobe, Vec2 u) const {
     const std::optional<BsdfSample> drawn = point_->bsdf->sample(*point_, wo_local_, u_lobe, u);
     if (!drawn) return std::nullopt;
-    if (drawn->wi == -wo_local_) {
+    if (drawn->eta == 1 && drawn->wi == -wo_local_) {
       return ScatteringSample{-wo_, drawn->weight, drawn->pdf, 1.0f, drawn->lobe};
     }
     const Vec3 wi = point_->frame.to_world(drawn->wi);
