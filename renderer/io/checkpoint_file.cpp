@@ -16,8 +16,11 @@ constexpr int kVersion = 1;
 constexpr int kLargestSide = 65536;
 
 nlohmann::json filter_json(const FilterSettings& f) {
-  return {{"kind", static_cast<int>(f.kind)}, {"radius", f.radius}, {"stddev", f.stddev},
-          {"b", f.b},                         {"c", f.c}};
+  return {{"kind", static_cast<int>(f.kind)},
+          {"radius", f.radius},
+          {"stddev", f.stddev},
+          {"b", f.b},
+          {"c", f.c}};
 }
 
 FilterSettings filter_from(const nlohmann::json& json) {
@@ -35,15 +38,12 @@ FilterSettings filter_from(const nlohmann::json& json) {
 void write_checkpoint(const std::string& path, const Checkpoint& checkpoint) {
   const Film& film = *checkpoint.film;
   const std::vector<double> state = film.state();
-  const nlohmann::json header = {{"guidelight_checkpoint", kVersion},
-                                 {"width", film.width()},
-                                 {"height", film.height()},
-                                 {"filter", filter_json(film.filter().settings())},
-                                 {"next_pass", checkpoint.next_pass},
-                                 {"seconds", checkpoint.seconds},
-                                 {"seed", checkpoint.seed},
-                                 {"numbers", state.size()},
-                                 {"identity", checkpoint.identity}};
+  const nlohmann::json header = {
+      {"guidelight_checkpoint", kVersion}, {"width", film.width()},
+      {"height", film.height()},           {"filter", filter_json(film.filter().settings())},
+      {"next_pass", checkpoint.next_pass}, {"seconds", checkpoint.seconds},
+      {"seed", checkpoint.seed},           {"numbers", state.size()},
+      {"identity", checkpoint.identity}};
   std::string bytes = header.dump() + "\n";
   const size_t start = bytes.size();
   bytes.resize(start + state.size() * sizeof(double));

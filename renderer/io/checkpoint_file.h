@@ -14,13 +14,13 @@ struct Checkpoint {
   uint32_t next_pass = 0;
   double seconds = 0;
   uint64_t seed = 0;
-  /// What the film shows: scene, integrator, settings, camera … Two checkpoints with the same identity
-  /// and different seeds may be merged; a render resumes only from its own.
+  /// What the film shows: scene, integrator, settings, camera … Two checkpoints with the same
+  /// identity and different seeds may be merged; a render resumes only from its own.
   Metadata identity;
 };
 
-/// File format: one line of JSON (format version, size, filter, counters, identity), then the film's state
-/// as little-endian doubles. Throws Error naming the path.
+/// File format: one line of JSON (format version, size, filter, counters, identity), then the
+/// film's state as little-endian doubles. Throws Error naming the path.
 void write_checkpoint(const std::string& path, const Checkpoint& checkpoint);
 Checkpoint read_checkpoint(const std::string& path);
 

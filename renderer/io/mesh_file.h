@@ -8,8 +8,9 @@ namespace guidelight {
 
 enum class MeshFormat { Obj, Ply };
 
-/// All triangles of a file as one mesh, polygons triangulated, texture coordinates as written.
-/// Vertices that are equal in everything are shared. Throws Error for anything that cannot be read.
+/// All triangles of a file as one mesh, polygons as fans, texture coordinates as written. Throws
+/// Error for Vertices that are equal in everything are shared. Throws Error for anything that
+/// cannot be read.
 Mesh read_mesh_file(const std::string& path, MeshFormat format);
 
 /// Mesh number `index` of a Mitsuba .serialized file. `has_face_normals` is set if the file asks
