@@ -95,7 +95,8 @@ void CameraController::frame(const Bounds& bounds) {
     to_world_[1] *= scale;
     set_pivot_distance(2 * bounds.radius());
   } else {
-    // A sphere touches the sides of the picture at the distance radius / sin(half the field of view).
+    // A sphere touches the sides of the picture at the distance radius / sin(half the field of
+    // view).
     set_pivot_distance(bounds.radius() * std::sqrt(1 + sqr(tan_half)) / tan_half);
   }
   to_world_[3] = Vec4(bounds.center() - pivot_distance_ * forward(), 1);

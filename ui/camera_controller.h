@@ -5,9 +5,9 @@
 
 namespace guidelight {
 
-/// Moves a camera the way hands expect. Every motion is a rigid transform applied in world space (or a
-/// scale of an orthographic view), so mirrored and rolled cameras stay as they are. Positive x of screen
-/// movements points right and positive y down, as the mouse reports them.
+/// Moves a camera the way hands expect. Every motion is a rigid transform applied in world space
+/// (or a scale of an orthographic view), so mirrored and rolled cameras stay as they are. Positive
+/// x of screen movements points right and positive y down, as the mouse reports them.
 class CameraController {
  public:
   CameraController() = default;
@@ -15,6 +15,7 @@ class CameraController {
   CameraController(const Camera& camera, float pivot_distance);
 
   const Mat4& to_world() const { return to_world_; }
+  void set_to_world(const Mat4& to_world) { to_world_ = to_world; }
   Vec3 position() const { return Vec3(to_world_[3]); }
   Vec3 forward() const;
   Vec3 right() const;
@@ -36,7 +37,8 @@ class CameraController {
   void dolly(float steps);
   /// Moves along camera space x right, y up, z forward [scene units].
   void fly(Vec3 offset);
-  /// Moves back or forth until the bounds fill the picture, without turning; empty bounds do nothing.
+  /// Moves back or forth until the bounds fill the picture, without turning; empty bounds do
+  /// nothing.
   void frame(const Bounds& bounds);
 
  private:

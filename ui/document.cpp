@@ -1,5 +1,7 @@
 #include "ui/document.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -46,23 +48,19 @@ size_t ViewSettings::slot() const {
 
 Document::Document(std::function<void()> published) : session_(std::move(published)) {}
 
-void Document::override_settings(const RenderSettings& settings, bool with_seed) {
-  overrides_ = settings;
-  override_seed_ = with_seed;
-}
-
 void Document::open(OpenedScene opened) {
   opened_ = std::move(opened);
   settings_ = settings_for(scene());
   view_.inspected_pixel.reset();
   range_known_ = {};
   picture_ = nullptr;
+  records_.clear();
   set_paused(false);
   reset_camera();
   const size_t warnings = scene().description().warnings.size();
   if (warnings > 0) {
-    messages_.warning(fmt::format("{} opened with {} warning{}; the scene panel lists them.", title(),
-                                  warnings, warnings == 1 ? "" : "s"));
+    messages_.warning(fmt::format("{} opened with {} warning{}; the scene panel lists them.",
+                                  title(), warnings, warnings == 1 ? "" : "s"));
   }
 }
 
@@ -75,7 +73,7 @@ RenderSettings Document::settings_for(const Scene& scene) const {
   const bool sized = overrides_.width > 0 && overrides_.height > 0;
   settings.width = sized ? overrides_.width : scene.camera().width();
   settings.height = sized ? overrides_.height : scene.camera().height();
-  settings.seed = override_seed_ ? overrides_.seed : 0;
+  settings.seed = overrides_.seed;
   settings.threads = overrides_.threads;
   return settings;
 }
@@ -151,13 +149,18 @@ void Document::set_paused(bool paused) {
 void Document::update(Clock::time_point now) {
   messages_.expire(now);
   status_ = session_.snapshot();
-  if (status_->has_picture() && status_->job > 0) picture_ = status_;
+  const bool of_this_scene = !records_.empty() && status_->job >= records_.front().job;
+  if (of_this_scene && status_->has_picture()) picture_ = status_;
+  while (picture_ && records_.size() > 1 && records_.front().job < picture_->job) {
+    records_.pop_front();
+  }
   if (status_->state == SessionState::Failed && failure_reported_ != status_->job) {
     failure_reported_ = status_->job;
     messages_.error("Rendering failed: " + status_->error);
   }
   if (!range_known_[static_cast<size_t>(view_.layer)]) show_layer(view_.layer);
-  const bool answered = status_->job == job_ || now - job_started_ > kLongestWaitForPicture;
+  const bool answered = records_.empty() || status_->job == records_.back().job ||
+                        now - job_started_ > kLongestWaitForPicture;
   if (restart_pending_ && answered) start(now);
 }
 
@@ -171,10 +174,12 @@ void Document::start(Clock::time_point now) {
   job.targets = settings_.targets;
   job.region = settings_.region;
   job.coarse_first = true;
-  job_ = session_.start(std::move(job));
+  records_.push_back({session_.start(std::move(job)), opened_, settings_, camera_.to_world()});
   job_started_ = now;
   restart_pending_ = false;
 }
+
+const JobRecord& Document::picture_record() const { return records_.front(); }
 
 // -- The look of the picture.
 

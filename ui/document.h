@@ -1,7 +1,9 @@
 #pragma once
 
 #include <chrono>
+#include <deque>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,7 +19,8 @@ namespace guidelight {
 /// A scene that was read and built, ready to be shown.
 struct OpenedScene {
   std::string path;
-  std::string file_hash;  // of the scene file's bytes, hexadecimal
+  std::map<std::string, std::string> defines;  // variables it was read with
+  std::string file_hash;                       // of the scene file's bytes, hexadecimal
   std::shared_ptr<const Scene> scene;
 };
 
@@ -31,6 +34,14 @@ struct RenderSettings {
   int threads = 0;  // 0: all processors
   RenderTargets targets;
   std::optional<PixelRegion> region;
+};
+
+/// What one job of the session renders.
+struct JobRecord {
+  uint64_t job = 0;
+  OpenedScene opened;
+  RenderSettings settings;
+  Mat4 to_world{1.0f};  // of the camera
 };
 
 /// How the picture is looked at. Changing it never restarts the render.
@@ -53,8 +64,8 @@ bool is_data_layer(Layer layer);
 /// "coffee" for ".../coffee/scene_v3.xml", "box" for ".../box.xml".
 std::string scene_title(const std::string& path);
 
-/// What is open: the scene, the camera, the settings and the render that follows from them. Panels and
-/// tools read it and send it edits. It belongs to the UI thread and knows nothing of windows.
+/// What is open: the scene, the camera, the settings and the render that follows from them. Panels
+/// and tools read it and send it edits. It belongs to the UI thread and knows nothing of windows.
 class Document {
  public:
   using Clock = std::chrono::steady_clock;
@@ -63,8 +74,9 @@ class Document {
   explicit Document(std::function<void()> published);
 
   // -- The scene.
-  /// What was asked for on the command line instead of what scenes say; for every scene opened later.
-  void override_settings(const RenderSettings& settings, bool with_seed);
+  /// What was asked for on the command line instead of what scenes say; for every scene opened
+  /// later.
+  void override_settings(const RenderSettings& settings) { overrides_ = settings; }
   /// Shows another scene from its own camera with its own settings, and renders it.
   void open(OpenedScene opened);
   bool has_scene() const { return opened_.scene != nullptr; }
@@ -97,6 +109,8 @@ class Document {
   const Snapshot& status() const { return *status_; }
   /// The latest picture; null before the first.
   const std::shared_ptr<const Snapshot>& picture() const { return picture_; }
+  /// What the latest picture is of, even if a newer job has been started since.
+  const JobRecord& picture_record() const;
 
   // -- The look of the picture.
   ViewSettings& view() { return view_; }
@@ -119,14 +133,13 @@ class Document {
   CameraController camera_;
   RenderSettings settings_;
   RenderSettings overrides_;
-  bool override_seed_ = false;
   ViewSettings view_;
   std::array<bool, kLayerCount> range_known_{};
   Messages messages_;
 
   bool paused_ = false;
   bool restart_pending_ = false;
-  uint64_t job_ = 0;  // the last one started
+  std::deque<JobRecord> records_;  // from the picture's job to the last one started
   Clock::time_point job_started_;
   uint64_t failure_reported_ = 0;  // job
   std::shared_ptr<const Snapshot> status_ = std::make_shared<const Snapshot>();

@@ -7,7 +7,8 @@ namespace guidelight {
 
 /// 950 → "950", 12345 → "12.3 k", 3456789 → "3.46 M".
 std::string format_count(double count);
-/// Four significant digits, in scientific notation where that is shorter: "0.1234", "12.34", "1.234e-05".
+/// Four significant digits, in scientific notation where that is shorter: "0.1234", "12.34",
+/// "1.234e-05".
 std::string format_value(float value);
 /// 4.25 → "4.2 s", 83 → "1:23", 3723 → "1:02:03".
 std::string format_duration(double seconds);

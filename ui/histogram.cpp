@@ -6,7 +6,8 @@ namespace guidelight {
 namespace {
 
 int bin_of(float value) {
-  const float share = (std::log2(value) - Histogram::kMinEv) / (Histogram::kMaxEv - Histogram::kMinEv);
+  const float share =
+      (std::log2(value) - Histogram::kMinEv) / (Histogram::kMaxEv - Histogram::kMinEv);
   return std::clamp(static_cast<int>(share * Histogram::kBins), 0, Histogram::kBins - 1);
 }
 

@@ -2,6 +2,7 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -77,14 +78,20 @@ std::string modifier_text(int modifiers) {
 }
 
 std::string key_name(int key) {
-  if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25) return "F" + std::to_string(key - GLFW_KEY_F1 + 1);
+  if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25) return fmt::format("F{}", key - GLFW_KEY_F1 + 1);
   switch (key) {
-    case GLFW_KEY_SPACE: return "Space";
-    case GLFW_KEY_BACKSPACE: return "Backspace";
-    case GLFW_KEY_HOME: return "Home";
-    case GLFW_KEY_EQUAL: return "+";
-    case GLFW_KEY_MINUS: return "-";
-    default: return std::string(1, static_cast<char>(key));  // GLFW's codes of printable keys are ASCII
+    case GLFW_KEY_SPACE:
+      return "Space";
+    case GLFW_KEY_BACKSPACE:
+      return "Backspace";
+    case GLFW_KEY_HOME:
+      return "Home";
+    case GLFW_KEY_EQUAL:
+      return "+";
+    case GLFW_KEY_MINUS:
+      return "-";
+    default:
+      return std::string(1, static_cast<char>(key));  // GLFW's codes of printable keys are ASCII
   }
 }
 

@@ -6,8 +6,8 @@
 
 #include "renderer/math/vector.h"
 
-/// The one place where keys and mouse buttons are bound. Menus, tooltips and the key sheet are generated
-/// from it.
+/// The one place where keys and mouse buttons are bound. Menus, tooltips and the key sheet are
+/// generated from it.
 namespace guidelight {
 
 enum class Action {
@@ -75,8 +75,8 @@ std::span<const FlyKey> fly_keys();
 float fly_speed_factor(int modifiers);
 
 std::optional<Action> action_for(int key, int modifiers);
-/// Modifiers that no binding of the input mentions are ignored for drags with the right button, so that
-/// Shift and Ctrl can change the speed of flying.
+/// Modifiers that no binding of the input mentions are ignored for drags with the right button, so
+/// that Shift and Ctrl can change the speed of flying.
 std::optional<Gesture> gesture_for(MouseInput input, int modifiers);
 
 /// "Ctrl+Shift+E", of the first binding of the action.

@@ -9,13 +9,6 @@ Image encode_normals(const Image& normals) {
   return encoded;
 }
 
-bool same_display(const DisplaySettings& a, const DisplaySettings& b) {
-  return a.exposure == b.exposure && a.curve == b.curve && a.gamma == b.gamma &&
-         a.reinhard_white == b.reinhard_white && a.color_map == b.color_map &&
-         a.false_color_min == b.false_color_min && a.false_color_max == b.false_color_max &&
-         a.show_clipped == b.show_clipped;
-}
-
 }  // namespace
 
 void develop_picture(const Snapshot& snapshot, Layer layer, const DisplaySettings& display,
@@ -39,7 +32,7 @@ PictureDeveloper::~PictureDeveloper() {
 
 bool PictureDeveloper::Request::operator==(const Request& other) const {
   return snapshot->layers == other.snapshot->layers && layer == other.layer &&
-         same_display(display, other.display);
+         display == other.display;
 }
 
 void PictureDeveloper::request(std::shared_ptr<const Snapshot> snapshot, Layer layer,

@@ -36,9 +36,10 @@ class PictureDeveloper {
   PictureDeveloper(const PictureDeveloper&) = delete;
   PictureDeveloper& operator=(const PictureDeveloper&) = delete;
 
-  /// Asks for a picture unless the last one asked for is the same. A newer request replaces an older one
-  /// that has not been begun.
-  void request(std::shared_ptr<const Snapshot> snapshot, Layer layer, const DisplaySettings& display);
+  /// Asks for a picture unless the last one asked for is the same. A newer request replaces an
+  /// older one that has not been begun.
+  void request(std::shared_ptr<const Snapshot> snapshot, Layer layer,
+               const DisplaySettings& display);
 
  private:
   struct Request {

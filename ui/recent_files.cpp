@@ -26,9 +26,10 @@ void RecentFiles::add(const std::string& path) {
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
   if (failure) {
-    throw Error("cannot create the folder {} for the list of recent files ({}): set XDG_STATE_HOME to a "
-                "folder that can be written",
-                folder.string(), failure.message());
+    throw Error(
+        "cannot create the folder {} for the list of recent files ({}): set XDG_STATE_HOME to a "
+        "folder that can be written",
+        folder.string(), failure.message());
   }
   std::string text;
   for (const std::string& line : paths_) text += line + "\n";

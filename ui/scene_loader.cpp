@@ -1,5 +1,7 @@
 #include "ui/scene_loader.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -22,10 +24,11 @@ std::string hash_of_file(const std::string& path) {
   return fmt::format("{:016x}", hash);
 }
 
-OpenedScene read_and_build(const std::string& path) {
+OpenedScene read_and_build(const std::string& path,
+                           const std::map<std::string, std::string>& defines) {
   const std::string absolute = std::filesystem::absolute(path).lexically_normal().string();
-  auto description = std::make_shared<const SceneDescription>(read_scene(absolute));
-  return {absolute, hash_of_file(absolute), Scene::build(std::move(description))};
+  auto description = std::make_shared<const SceneDescription>(read_scene(absolute, defines));
+  return {absolute, defines, hash_of_file(absolute), Scene::build(std::move(description))};
 }
 
 }  // namespace
@@ -34,21 +37,22 @@ SceneLoader::SceneLoader(std::shared_ptr<UiQueue> queue, std::function<void(Open
                          std::function<void(std::string)> failed)
     : queue_(std::move(queue)), opened_(std::move(opened)), failed_(std::move(failed)) {}
 
-void SceneLoader::load(const std::string& path) {
+void SceneLoader::load(const std::string& path, const std::map<std::string, std::string>& defines) {
   loading_ = path;
   const uint64_t request = ++newest_request_;
   ++*running_;
-  std::thread([this, path, request, queue = queue_, running = running_] {
+  std::thread([this, path, defines, request, queue = queue_, running = running_] {
     // `this` is only used on the UI thread, which drops what is posted once the loader is gone.
     const auto fail = [&](const std::string& reason) {
       queue->post([this, request, reason] { finish(request, [&] { failed_(reason); }); });
     };
     try {
-      queue->post([this, request, scene = read_and_build(path)] {
+      queue->post([this, request, scene = read_and_build(path, defines)] {
         finish(request, [&] { opened_(scene); });
       });
     } catch (const std::bad_alloc&) {
-      fail(fmt::format("{} needs more memory than there is: close other programs or simplify it", path));
+      fail(fmt::format("{} needs more memory than there is: close other programs or simplify it",
+                       path));
     } catch (const std::exception& error) {
       fail(error.what());
     }

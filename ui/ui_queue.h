@@ -6,8 +6,8 @@
 
 namespace guidelight {
 
-/// The one way for other threads to reach the user interface: they post functions, the UI thread runs
-/// them between frames. Thread safe.
+/// The one way for other threads to reach the user interface: they post functions, the UI thread
+/// runs them between frames. Thread safe.
 class UiQueue {
  public:
   /// `wake` is called after each post, from the posting thread, to end the event loop's wait.

@@ -38,8 +38,6 @@ void ViewTransform::move(Vec2 screen_offset) {
 }
 
 /// On whole screen pixels, so that at scale 1 a picture pixel is exactly one screen pixel.
-Vec2 ViewTransform::origin() const {
-  return glm::round(corner_ + 0.5f * room_ - scale_ * center_);
-}
+Vec2 ViewTransform::origin() const { return glm::round(corner_ + 0.5f * room_ - scale_ * center_); }
 
 }  // namespace guidelight

@@ -10,8 +10,8 @@ class ViewTransform {
   static constexpr float kMinScale = 1.0f / 16;
   static constexpr float kMaxScale = 64;
 
-  /// The room for the picture on the screen and the picture's size [pixels]. While nobody has zoomed,
-  /// the picture fills the room; otherwise it stays centred where it was.
+  /// The room for the picture on the screen and the picture's size [pixels]. While nobody has
+  /// zoomed, the picture fills the room; otherwise it stays centred where it was.
   void set_room(Vec2 corner, Vec2 size, Vec2 picture_size);
 
   void fit();

@@ -1,18 +1,20 @@
 #pragma once
 
-#include <optional>
+#include <cstdint>
+#include <map>
 #include <string>
 
 namespace guidelight {
 
 /// What the command line says about the viewer.
 struct ViewerOptions {
-  std::string scene_path;  // empty: the window opens without a scene
-  std::string integrator;  // empty: the default
-  int width = 0;           // of the picture; 0: as the scene says
+  std::string scene_path;                      // empty: the window opens without a scene
+  std::map<std::string, std::string> defines;  // <default> variables of that scene
+  std::string integrator;                      // empty: the default
+  int width = 0;                               // of the picture; 0: as the scene says
   int height = 0;
   int threads = 0;  // 0: all
-  std::optional<uint64_t> seed;
+  uint64_t seed = 0;
   float ui_scale = 0;  // 0: as the monitor says
 };
 
