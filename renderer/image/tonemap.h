@@ -17,6 +17,8 @@ struct DisplaySettings {
   float false_color_min = 1e-2f;  // ToneCurve::FalseColor, of the luminance, log scale
   float false_color_max = 1e1f;
   bool show_clipped = false;      // marks pixels above white in red, NaN and infinities in magenta
+
+  bool operator==(const DisplaySettings&) const = default;
 };
 
 /// Display colour 0..1 of a map at t in [0,1].

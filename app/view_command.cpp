@@ -1,0 +1,43 @@
+#include "app/commands.h"
+#include "app/scene_arguments.h"
+#include "ui/viewer.h"
+
+namespace guidelight {
+namespace {
+
+struct ViewArguments {
+  SceneArguments scene;
+  ViewerOptions options;
+};
+
+int open_window(ViewArguments& arguments) {
+  ViewerOptions& options = arguments.options;
+  options.scene_path = arguments.scene.path;
+  for (const std::string& define : arguments.scene.defines) {
+    options.defines.insert(split_assignment("-D", define));
+  }
+  if (!arguments.scene.size.empty()) {
+    const std::vector<int> size = split_numbers("--size", arguments.scene.size, 'x', 2);
+    options.width = size[0];
+    options.height = size[1];
+  }
+  return run_viewer(options);
+}
+
+}  // namespace
+
+void add_view_command(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("view", "Open the viewer's window (the default)");
+  const auto arguments = std::make_shared<ViewArguments>();
+  arguments->scene.add_to(*command, false);
+  command->add_option("--integrator", arguments->options.integrator, "Algorithm to begin with");
+  command->add_option("--threads", arguments->options.threads, "Render threads; 0 takes all")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--seed", arguments->options.seed, "Seed of the random numbers");
+  command
+      ->add_option("--ui-scale", arguments->options.ui_scale, "Size of the interface, 1 is normal")
+      ->check(CLI::Range(0.5f, 4.0f));
+  command->callback([arguments] { open_window(*arguments); });
+}
+
+}  // namespace guidelight

@@ -1,0 +1,217 @@
+#include "ui/document.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "ui/histogram.h"
+
+namespace guidelight {
+namespace {
+
+/// A camera that keeps moving lets each position show its first picture, unless that takes longer.
+constexpr std::chrono::milliseconds kLongestWaitForPicture{250};
+
+}  // namespace
+
+// -- Names and defaults.
+
+bool is_data_layer(Layer layer) {
+  return layer == Layer::Depth || layer == Layer::SampleCount || layer == Layer::Variance;
+}
+
+std::string scene_title(const std::string& path) {
+  const std::filesystem::path file(path);
+  const std::string stem = file.stem().string();
+  const std::string folder = std::filesystem::absolute(file).parent_path().filename().string();
+  return stem.starts_with("scene") && !folder.empty() ? folder : stem;
+}
+
+ViewSettings::ViewSettings() {
+  for (const Layer data : kAllLayers) {
+    if (is_data_layer(data)) {
+      display_[static_cast<size_t>(data)].curve = ToneCurve::FalseColor;
+    }
+  }
+  DisplaySettings& normal = display_[static_cast<size_t>(Layer::Normal)];
+  normal.curve = ToneCurve::Gamma;
+  normal.gamma = 1;
+}
+
+size_t ViewSettings::slot() const {
+  const bool radiance = layer == Layer::Direct || layer == Layer::Indirect;
+  return static_cast<size_t>(radiance ? Layer::Beauty : layer);
+}
+
+// -- The scene.
+
+Document::Document(std::function<void()> published) : session_(std::move(published)) {}
+
+void Document::open(OpenedScene opened) {
+  opened_ = std::move(opened);
+  settings_ = settings_for(scene());
+  view_.inspected_pixel.reset();
+  range_known_ = {};
+  picture_ = nullptr;
+  records_.clear();
+  set_paused(false);
+  reset_camera();
+  const size_t warnings = scene().description().warnings.size();
+  if (warnings > 0) {
+    messages_.warning(fmt::format("{} opened with {} warning{}; the scene panel lists them.",
+                                  title(), warnings, warnings == 1 ? "" : "s"));
+  }
+}
+
+RenderSettings Document::settings_for(const Scene& scene) const {
+  RenderSettings settings;
+  settings.integrator =
+      overrides_.integrator.empty() ? integrators().front().name : overrides_.integrator;
+  settings.parameters =
+      find_integrator(settings.integrator).make_settings(scene.description().hints);
+  const bool sized = overrides_.width > 0 && overrides_.height > 0;
+  settings.width = sized ? overrides_.width : scene.camera().width();
+  settings.height = sized ? overrides_.height : scene.camera().height();
+  settings.seed = overrides_.seed;
+  settings.threads = overrides_.threads;
+  return settings;
+}
+
+std::shared_ptr<const Scene> Document::current_scene() const {
+  return has_scene() ? scene().with_camera(current_camera()) : nullptr;
+}
+
+// -- The camera.
+
+Camera Document::current_camera() const {
+  return scene()
+      .camera()
+      .with_resolution(settings_.width, settings_.height)
+      .with_transform(camera_.to_world());
+}
+
+void Document::move_camera(const std::function<void(CameraController&)>& move) {
+  if (!has_scene()) return;
+  move(camera_);
+  restart();
+}
+
+void Document::reset_camera() {
+  if (!has_scene()) return;
+  const Bounds bounds = scene().bounds();
+  const Camera& camera = scene().camera();
+  camera_ = CameraController(camera, glm::length(bounds.center() - camera.position()));
+  find_pivot();
+  restart();
+}
+
+void Document::find_pivot() {
+  const auto scene = current_scene();
+  if (!scene) return;
+  const Camera& camera = scene->camera();
+  const Vec2 middle = 0.5f * Vec2(camera.width(), camera.height());
+  const Ray ray = camera.sample_ray(middle, Vec2(0.5f)).ray;
+  const Hit hit = scene->intersect(ray);
+  if (!hit.valid()) return;
+  const Vec3 target = ray.origin + hit.t * ray.direction;
+  camera_.set_pivot_distance(glm::dot(target - camera_.position(), camera_.forward()));
+}
+
+// -- The render.
+
+void Document::set_settings(const RenderSettings& settings) {
+  const bool resized = settings.width != settings_.width || settings.height != settings_.height;
+  settings_ = settings;
+  if (resized) {
+    settings_.region.reset();
+    view_.inspected_pixel.reset();
+  }
+  restart();
+}
+
+void Document::set_integrator(const std::string& name) {
+  RenderSettings changed = settings_;
+  changed.integrator = name;
+  changed.parameters = find_integrator(name).make_settings(scene().description().hints);
+  set_settings(changed);
+}
+
+void Document::set_paused(bool paused) {
+  paused_ = paused;
+  if (paused) {
+    session_.pause();
+  } else {
+    session_.resume();
+  }
+}
+
+void Document::update(Clock::time_point now) {
+  messages_.expire(now);
+  status_ = session_.snapshot();
+  const bool of_this_scene = !records_.empty() && status_->job >= records_.front().job;
+  if (of_this_scene && status_->has_picture()) picture_ = status_;
+  while (picture_ && records_.size() > 1 && records_.front().job < picture_->job) {
+    records_.pop_front();
+  }
+  if (status_->state == SessionState::Failed && failure_reported_ != status_->job) {
+    failure_reported_ = status_->job;
+    messages_.error("Rendering failed: " + status_->error);
+  }
+  if (!range_known_[static_cast<size_t>(view_.layer)]) show_layer(view_.layer);
+  const bool answered = records_.empty() || status_->job == records_.back().job ||
+                        now - job_started_ > kLongestWaitForPicture;
+  if (restart_pending_ && answered) start(now);
+}
+
+void Document::start(Clock::time_point now) {
+  RenderJob job;
+  job.scene = current_scene();
+  job.integrator = settings_.integrator;
+  job.settings = settings_.parameters;
+  job.seed = settings_.seed;
+  job.threads = settings_.threads;
+  job.targets = settings_.targets;
+  job.region = settings_.region;
+  job.coarse_first = true;
+  records_.push_back({session_.start(std::move(job)), opened_, settings_, camera_.to_world()});
+  job_started_ = now;
+  restart_pending_ = false;
+}
+
+const JobRecord& Document::picture_record() const { return records_.front(); }
+
+// -- The look of the picture.
+
+void Document::step_layer(int step) {
+  const int next = (static_cast<int>(view_.layer) + step + kLayerCount) % kLayerCount;
+  show_layer(static_cast<Layer>(next));
+}
+
+void Document::show_layer(Layer layer) {
+  view_.layer = layer;
+  bool& known = range_known_[static_cast<size_t>(layer)];
+  if (known) return;
+  if (!is_data_layer(layer)) {
+    known = true;
+  } else if (picture_ && !picture_->coarse) {
+    normalise();
+    known = true;
+  }
+}
+
+void Document::normalise() {
+  if (!picture_) return;
+  const Image& image = picture_->layer(view_.layer);
+  DisplaySettings& display = view_.current();
+  if (display.curve == ToneCurve::FalseColor) {
+    const auto [low, high] = value_range(image);
+    const float gain = std::exp2(display.exposure);
+    display.false_color_min = low * gain;
+    display.false_color_max = high * gain;
+  } else {
+    display.exposure = auto_exposure(image);
+  }
+}
+
+}  // namespace guidelight

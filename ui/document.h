@@ -1,0 +1,150 @@
+#pragma once
+
+#include <chrono>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "renderer/image/tonemap.h"
+#include "renderer/scene/scene.h"
+#include "renderer/session/render_session.h"
+#include "ui/camera_controller.h"
+#include "ui/messages.h"
+
+namespace guidelight {
+
+/// A scene that was read and built, ready to be shown.
+struct OpenedScene {
+  std::string path;
+  std::map<std::string, std::string> defines;  // variables it was read with
+  std::string file_hash;                       // of the scene file's bytes, hexadecimal
+  std::shared_ptr<const Scene> scene;
+};
+
+/// What to render, as a person sets it: everything of a RenderJob but the scene.
+struct RenderSettings {
+  std::string integrator;
+  std::shared_ptr<const IntegratorSettings> parameters;
+  int width = 0;  // of the picture [pixels]
+  int height = 0;
+  uint64_t seed = 0;
+  int threads = 0;  // 0: all processors
+  RenderTargets targets;
+  std::optional<PixelRegion> region;
+};
+
+/// What one job of the session renders.
+struct JobRecord {
+  uint64_t job = 0;
+  OpenedScene opened;
+  RenderSettings settings;
+  Mat4 to_world{1.0f};  // of the camera
+};
+
+/// How the picture is looked at. Changing it never restarts the render.
+struct ViewSettings {
+  Layer layer = Layer::Beauty;
+  std::optional<glm::ivec2> inspected_pixel;
+
+  ViewSettings();
+  /// Of the layer shown. Layers that hold radiance share theirs, the others have their own.
+  DisplaySettings& current() { return display_[slot()]; }
+  const DisplaySettings& current() const { return display_[slot()]; }
+
+ private:
+  size_t slot() const;
+  std::array<DisplaySettings, kLayerCount> display_;
+};
+
+/// Depth, sample count and variance: numbers rather than colours.
+bool is_data_layer(Layer layer);
+/// "coffee" for ".../coffee/scene_v3.xml", "box" for ".../box.xml".
+std::string scene_title(const std::string& path);
+
+/// What is open: the scene, the camera, the settings and the render that follows from them. Panels
+/// and tools read it and send it edits. It belongs to the UI thread and knows nothing of windows.
+class Document {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// `published` is called from the render thread whenever there is a new snapshot.
+  explicit Document(std::function<void()> published);
+
+  // -- The scene.
+  /// What was asked for on the command line instead of what scenes say; for every scene opened
+  /// later.
+  void override_settings(const RenderSettings& settings) { overrides_ = settings; }
+  /// Shows another scene from its own camera with its own settings, and renders it.
+  void open(OpenedScene opened);
+  bool has_scene() const { return opened_.scene != nullptr; }
+  const OpenedScene& opened() const { return opened_; }
+  const Scene& scene() const { return *opened_.scene; }
+  /// The scene through the camera as it is now; null without a scene.
+  std::shared_ptr<const Scene> current_scene() const;
+  std::string title() const { return scene_title(opened_.path); }
+
+  // -- The camera. Edits restart the render with a coarse picture first.
+  const CameraController& camera() const { return camera_; }
+  void move_camera(const std::function<void(CameraController&)>& move);
+  void reset_camera();
+  /// Sets the distance of the pivot to what is in the middle of the picture.
+  void find_pivot();
+
+  // -- The render.
+  const RenderSettings& settings() const { return settings_; }
+  /// Takes over changed settings and restarts the render if they change the picture.
+  void set_settings(const RenderSettings& settings);
+  /// Changes to another algorithm with its own defaults for the scene.
+  void set_integrator(const std::string& name);
+  void restart() { restart_pending_ = has_scene(); }
+  void set_paused(bool paused);
+  bool paused() const { return paused_; }
+
+  /// Carries out pending restarts and takes over what was rendered; to be called once per frame.
+  void update(Clock::time_point now);
+  /// The latest state of the render; never null.
+  const Snapshot& status() const { return *status_; }
+  /// The latest picture; null before the first.
+  const std::shared_ptr<const Snapshot>& picture() const { return picture_; }
+  /// What the latest picture is of, even if a newer job has been started since.
+  const JobRecord& picture_record() const;
+
+  // -- The look of the picture.
+  ViewSettings& view() { return view_; }
+  const ViewSettings& view() const { return view_; }
+  void step_layer(int step);
+  /// Shows another layer; a data layer that was never seen before gets a range that suits it.
+  void show_layer(Layer layer);
+  /// Exposure to middle grey, or the range of false colours to the values of the layer.
+  void normalise();
+
+  Messages& messages() { return messages_; }
+  const Messages& messages() const { return messages_; }
+
+ private:
+  Camera current_camera() const;
+  RenderSettings settings_for(const Scene& scene) const;
+  void start(Clock::time_point now);
+
+  OpenedScene opened_;
+  CameraController camera_;
+  RenderSettings settings_;
+  RenderSettings overrides_;
+  ViewSettings view_;
+  std::array<bool, kLayerCount> range_known_{};
+  Messages messages_;
+
+  bool paused_ = false;
+  bool restart_pending_ = false;
+  std::deque<JobRecord> records_;  // from the picture's job to the last one started
+  Clock::time_point job_started_;
+  uint64_t failure_reported_ = 0;  // job
+  std::shared_ptr<const Snapshot> status_ = std::make_shared<const Snapshot>();
+  std::shared_ptr<const Snapshot> picture_;
+  RenderSession session_;  // last: it stops before the rest goes
+};
+
+}  // namespace guidelight

@@ -1,0 +1,76 @@
+#include "ui/layout.h"
+
+#include <algorithm>
+
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+namespace guidelight {
+namespace {
+
+constexpr float kNarrowest = 230;      // of a column, at scale 1
+constexpr float kNarrowestView = 240;  // at scale 1
+
+}  // namespace
+
+void Layout::update(bool panels_shown, float menu_height) {
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  if (!panels_shown) {
+    left_ = right_ = status_ = {};
+    view_ = {{0, 0}, window};
+    return;
+  }
+  const float status_height = ImGui::GetFrameHeight() + scaled(8);
+  const float height = std::max(1.0f, window.y - menu_height - status_height);
+  const float room = window.x - scaled(kNarrowestView);
+  const float left = std::min(scaled(left_width_), room / 2);
+  const float right = std::min(scaled(right_width_), room / 2);
+  left_ = {{0, menu_height}, {left, height}};
+  view_ = {{left, menu_height}, {window.x - left - right, height}};
+  right_ = {{window.x - right, menu_height}, {right, height}};
+  status_ = {{0, window.y - status_height}, {window.x, status_height}};
+  drag_border("left border", left, left_width_, 1);
+  drag_border("right border", window.x - right, right_width_, -1);
+}
+
+/// An invisible strip over the border; direction 1 makes the column wider to the right.
+void Layout::drag_border(const char* name, float x, float& width, float direction) {
+  const float half = scaled(4);
+  ImGui::SetNextWindowPos({x - half, view_.corner.y});
+  ImGui::SetNextWindowSize({2 * half, view_.size.y});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+  ImGui::Begin(name, nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground |
+                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+  ImGui::InvisibleButton("drag", {2 * half, view_.size.y});
+  const bool lit = ImGui::IsItemHovered() || ImGui::IsItemActive();
+  if (lit) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  if (ImGui::IsItemActive()) {
+    const float widest = (ImGui::GetIO().DisplaySize.x / scaled(1) - kNarrowestView) / 2;
+    width += direction * ImGui::GetIO().MouseDelta.x / scaled(1);
+    width = std::clamp(width, kNarrowest, std::max(kNarrowest, widest));
+  }
+  const float line = std::max(1.0f, scaled(lit ? 2 : 1));
+  ImGui::GetWindowDrawList()->AddRectFilled({x - line / 2, view_.corner.y},
+                                            {x + line / 2, view_.corner.y + view_.size.y},
+                                            lit ? palette::kAccent : palette::kLine);
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+}
+
+void begin_area(const char* name, const Area& area, bool padded, ImU32 background) {
+  ImGui::SetNextWindowPos(area.corner);
+  ImGui::SetNextWindowSize(area.size);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+  if (!padded) ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, background);
+  ImGui::Begin(name, nullptr,
+               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                   ImGuiWindowFlags_NoSavedSettings);
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(padded ? 1 : 2);
+}
+
+}  // namespace guidelight

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <imgui.h>
+
+namespace guidelight {
+
+/// A rectangle of the window [pixels].
+struct Area {
+  ImVec2 corner;
+  ImVec2 size;
+};
+
+/// Where things are: a menu bar above, a status bar below, a column of panels on either side of the
+/// view, with borders that can be dragged.
+class Layout {
+ public:
+  /// Computes the areas for the window as it is now, lets the borders be dragged and draws them.
+  void update(bool panels_shown, float menu_height);
+
+  const Area& left() const { return left_; }
+  const Area& view() const { return view_; }
+  const Area& right() const { return right_; }
+  const Area& status() const { return status_; }
+
+ private:
+  void drag_border(const char* name, float x, float& width, float direction);
+
+  float left_width_ = 292;  // at scale 1
+  float right_width_ = 292;
+  Area left_, view_, right_, status_;
+};
+
+/// Begins a fixed ImGui window that fills an area. End it with ImGui::End().
+void begin_area(const char* name, const Area& area, bool padded, ImU32 background);
+
+}  // namespace guidelight

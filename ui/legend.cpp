@@ -1,0 +1,103 @@
+#include "ui/legend.h"
+
+#include <array>
+#include <cmath>
+
+#include "ui/format.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+namespace guidelight {
+namespace {
+
+constexpr int kSteps = 64;
+constexpr int kTicks = 5;
+
+ImU32 pack(Color color) {
+  return ImGui::ColorConvertFloat4ToU32(ImVec4(color.r, color.g, color.b, 1));
+}
+
+}  // namespace
+
+const char* layer_unit(Layer layer) {
+  switch (layer) {
+    case Layer::Beauty:
+    case Layer::Direct:
+    case Layer::Indirect:
+      return "W/(m² sr)";
+    case Layer::Variance:
+      return "(W/(m² sr))²";
+    case Layer::Depth:
+      return "scene units";
+    case Layer::SampleCount:
+      return "samples";
+    case Layer::Albedo:
+    case Layer::Normal:
+      return "";
+  }
+  return "";
+}
+
+const char* layer_label(Layer layer) {
+  switch (layer) {
+    case Layer::Beauty:
+      return "Beauty";
+    case Layer::Direct:
+      return "Direct light";
+    case Layer::Indirect:
+      return "Indirect light";
+    case Layer::Albedo:
+      return "Albedo";
+    case Layer::Normal:
+      return "Normal";
+    case Layer::Depth:
+      return "Depth";
+    case Layer::SampleCount:
+      return "Sample count";
+    case Layer::Variance:
+      return "Variance";
+  }
+  return "";
+}
+
+void draw_legend(ImDrawList& list, Vec2 corner, const Picture& picture) {
+  const DisplaySettings& display = picture.display;
+  // Values are multiplied by the exposure before they are mapped, so the scale is divided by it.
+  const float gain = std::exp2(display.exposure);
+  const float low = display.false_color_min / gain;
+  const float high = display.false_color_max / gain;
+  const char* unit = layer_unit(picture.layer);
+
+  std::array<std::string, kTicks> labels;
+  float widest = ImGui::CalcTextSize(unit).x - scaled(24);
+  for (int tick = 0; tick < kTicks; ++tick) {
+    const float t = static_cast<float>(tick) / (kTicks - 1);
+    labels[tick] = format_value(low * std::pow(high / low, t));
+    widest = std::max(widest, ImGui::CalcTextSize(labels[tick].c_str()).x);
+  }
+  const float line = ImGui::GetTextLineHeight();
+  const Vec2 bar_size(scaled(14), scaled(170));
+  const Vec2 padding(scaled(12), scaled(10));
+  const Vec2 size = Vec2(bar_size.x + scaled(10) + widest, bar_size.y + 2 * line) + 2.0f * padding;
+  const Vec2 low_corner = corner - size - scaled(12);
+  list.AddRectFilled(to_imgui(low_corner), to_imgui(low_corner + size), IM_COL32(20, 20, 20, 215),
+                     scaled(6));
+  const Vec2 top = low_corner + padding;
+  list.AddText(to_imgui(top), palette::kDim, unit);
+
+  const Vec2 bar = top + Vec2(0, 1.5f * line);
+  for (int step = 0; step < kSteps; ++step) {
+    const float from = static_cast<float>(step) / kSteps;
+    const float to = static_cast<float>(step + 1) / kSteps;
+    list.AddRectFilled(to_imgui(bar + Vec2(0, bar_size.y * (1 - to))),
+                       to_imgui(bar + Vec2(bar_size.x, bar_size.y * (1 - from))),
+                       pack(color_map(display.color_map, (from + to) / 2)));
+  }
+  for (int tick = 0; tick < kTicks; ++tick) {
+    const float y = bar_size.y * (1 - static_cast<float>(tick) / (kTicks - 1));
+    list.AddText(to_imgui(bar + Vec2(bar_size.x + scaled(10), y - line / 2)), palette::kText,
+                 labels[tick].c_str());
+  }
+}
+
+}  // namespace guidelight

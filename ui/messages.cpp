@@ -1,0 +1,33 @@
+#include "ui/messages.h"
+
+#include <algorithm>
+
+namespace guidelight {
+namespace {
+
+constexpr size_t kMostShown = 4;
+
+std::chrono::seconds lifetime(Messages::Kind kind) {
+  return std::chrono::seconds(kind == Messages::Kind::Note ? 6 : 20);
+}
+
+}  // namespace
+
+void Messages::add(Kind kind, std::string text) {
+  // The same sentence again is shown anew, not twice.
+  std::erase_if(messages_, [&](const Message& message) { return message.text == text; });
+  messages_.push_back({kind, std::move(text), Clock::now(), next_id_++});
+  if (messages_.size() > kMostShown) messages_.pop_front();
+}
+
+void Messages::dismiss(uint64_t id) {
+  std::erase_if(messages_, [id](const Message& message) { return message.id == id; });
+}
+
+void Messages::expire(Clock::time_point now) {
+  std::erase_if(messages_, [now](const Message& message) {
+    return now - message.posted > lifetime(message.kind);
+  });
+}
+
+}  // namespace guidelight

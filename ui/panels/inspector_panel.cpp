@@ -1,0 +1,70 @@
+#include <fmt/format.h>
+
+#include "ui/format.h"
+#include "ui/panels/panels.h"
+#include "ui/pixel_probe.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+namespace guidelight {
+namespace {
+
+std::string triple(Vec3 v) {
+  return format_value(v.x) + "  " + format_value(v.y) + "  " + format_value(v.z);
+}
+
+void draw_values(const PixelReport& report) {
+  readout("Radiance", triple(report.radiance), "Red, green, blue [W/(m² sr)]");
+  const float value = luminance(report.radiance);
+  readout("Luminance", format_value(value), "Rec. 709 [W/(m² sr)]");
+  readout("Error",
+          value > 0 ? fmt::format("± {}  ({})", format_value(report.standard_error),
+                                  format_percent(report.standard_error / value))
+                    : "± " + format_value(report.standard_error),
+          "Standard error of the luminance, estimated from the samples");
+  readout("Direct", triple(report.direct));
+  readout("Indirect", triple(report.indirect));
+  readout("Samples", format_count(report.samples));
+}
+
+void draw_surface(const PixelReport& report) {
+  if (!report.seen) {
+    readout("Sees", "nothing: the ray leaves the scene");
+    return;
+  }
+  const SeenSurface& seen = *report.seen;
+  const std::string shape = seen.shape.empty() ? "unnamed shape" : seen.shape;
+  const std::string bsdf = seen.bsdf.empty() ? "unnamed" : seen.bsdf;
+  readout("Sees", seen.emits ? shape + " (light)" : shape,
+          "The shape hit through the pixel's middle");
+  readout("BSDF", bsdf);
+  readout("Position", triple(seen.position), "In world space [scene units]");
+  readout("Depth", format_value(report.depth), "Mean distance from the camera [scene units]");
+  readout("Normal", triple(report.normal), "In world space, mean over the samples");
+  readout("Albedo", triple(report.albedo));
+}
+
+}  // namespace
+
+void draw_inspector_panel(Document& document, std::optional<glm::ivec2> hovered) {
+  if (!section("Inspector")) return;
+  const auto picked = document.view().inspected_pixel;
+  const auto pixel = picked ? picked : hovered;
+  const auto scene = pixel ? document.current_scene() : nullptr;
+  const auto picture = document.picture();
+  const auto report = scene && picture ? probe_pixel(*scene, *picture, pixel->x, pixel->y)
+                                       : std::optional<PixelReport>();
+  if (!report) {
+    wrapped_dim_text("Point at the picture; click to keep a pixel.");
+    return;
+  }
+  readout("Pixel", fmt::format("{}, {}", report->x, report->y), "From the upper left corner");
+  if (picked) {
+    ImGui::SameLine(ImGui::GetContentRegionAvail().x - scaled(44));
+    if (ImGui::SmallButton("release")) document.view().inspected_pixel.reset();
+  }
+  draw_values(*report);
+  draw_surface(*report);
+}
+
+}  // namespace guidelight

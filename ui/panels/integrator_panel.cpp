@@ -1,0 +1,86 @@
+#include <algorithm>
+
+#include "ui/panels/panels.h"
+#include "ui/widgets.h"
+
+namespace guidelight {
+namespace {
+
+constexpr const char* kRestarts = "Changing it restarts the render.";
+
+void draw_integrator_choice(Document& document) {
+  const IntegratorInfo& current = find_integrator(document.settings().integrator);
+  row("Algorithm", std::string("How light is simulated. ") + kRestarts);
+  if (ImGui::BeginCombo("##integrator", current.label.c_str())) {
+    for (const IntegratorInfo& info : integrators()) {
+      const bool chosen = info.name == current.name;
+      if (ImGui::Selectable(info.label.c_str(), chosen) && !chosen) {
+        document.set_integrator(info.name);
+      }
+      tooltip(info.summary);
+    }
+    ImGui::EndCombo();
+  }
+  wrapped_dim_text(current.summary);
+}
+
+/// The widget of one parameter; returns whether its value was changed.
+struct ParameterWidget {
+  const Parameter& parameter;
+  const char* id;
+
+  bool operator()(bool* value) const { return ImGui::Checkbox(id, value); }
+
+  bool operator()(int* value) const {
+    if (!ImGui::InputInt(id, value)) return false;
+    *value = std::clamp(*value, static_cast<int>(parameter.minimum),
+                        static_cast<int>(parameter.maximum));
+    return true;
+  }
+
+  bool operator()(float* value) const {
+    const auto flags =
+        ImGuiSliderFlags_AlwaysClamp | (parameter.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+    return ImGui::SliderFloat(id, value, static_cast<float>(parameter.minimum),
+                              static_cast<float>(parameter.maximum), "%.4g", flags);
+  }
+
+  bool operator()(const Parameter::Choice& choice) const {
+    bool changed = false;
+    if (ImGui::BeginCombo(id, choice.names[*choice.value].c_str())) {
+      for (int i = 0; i < static_cast<int>(choice.names.size()); ++i) {
+        if (ImGui::Selectable(choice.names[i].c_str(), i == *choice.value) && i != *choice.value) {
+          *choice.value = i;
+          changed = true;
+        }
+      }
+      ImGui::EndCombo();
+    }
+    return changed;
+  }
+};
+
+bool draw_parameter(const Parameter& parameter) {
+  row_with_unit(parameter.label.c_str(), parameter.unit, parameter.help + " " + kRestarts);
+  const std::string id = "##" + parameter.key;
+  const bool changed = std::visit(ParameterWidget{parameter, id.c_str()}, parameter.value);
+  unit_text(parameter.unit);
+  return changed;
+}
+
+}  // namespace
+
+void draw_integrator_panel(Document& document) {
+  if (!document.has_scene() || !section("Integrator")) return;
+  draw_integrator_choice(document);
+  if (!document.settings().parameters) return;
+  std::shared_ptr<IntegratorSettings> edited = document.settings().parameters->clone();
+  bool changed = false;
+  for (const Parameter& parameter : edited->parameters()) changed |= draw_parameter(parameter);
+  if (!changed) return;
+  RenderSettings settings = document.settings();
+  settings.parameters = std::move(edited);
+  document.set_settings(settings);
+}
+
+}  // namespace guidelight

@@ -1,0 +1,117 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "ui/panels/panels.h"
+#include "ui/widgets.h"
+
+namespace guidelight {
+namespace {
+
+constexpr int kMaxSide = 16384;  // [pixels] of a picture
+
+void draw_commands(const Document& document, bool region_tool_active, const Perform& perform) {
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
+  const auto explain = [](Action action) {
+    tooltip(fmt::format("{} ({})", action_label(action), shortcut_text(action)));
+  };
+  const char* label = document.paused() ? "Resume" : "Pause";
+  if (toggle_button(label, document.paused(), {width, 0})) perform(Action::PauseResume);
+  explain(Action::PauseResume);
+  ImGui::SameLine();
+  if (ImGui::Button("Restart", {width, 0})) perform(Action::Restart);
+  explain(Action::Restart);
+  ImGui::SameLine();
+  const bool region = document.settings().region.has_value();
+  if (toggle_button("Region", region || region_tool_active, {width, 0})) {
+    perform(region ? Action::ClearRegion : Action::RegionTool);
+  }
+  explain(region ? Action::ClearRegion : Action::RegionTool);
+}
+
+/// Shares of the scene's own size.
+bool edit_size(const Scene& scene, RenderSettings& settings) {
+  const int width = scene.camera().width();
+  const int height = scene.camera().height();
+  bool changed = false;
+  row("Size", "Of the picture in pixels. Changing it restarts the render.");
+  const std::string shown = fmt::format("{} × {}", settings.width, settings.height);
+  if (!ImGui::BeginCombo("##size", shown.c_str())) return false;
+  for (const int percent : {25, 50, 100, 200}) {
+    const int scaled_width = std::clamp(width * percent / 100, 1, kMaxSide);
+    const int scaled_height = std::clamp(height * percent / 100, 1, kMaxSide);
+    const std::string label = fmt::format("{} × {}   {} %", scaled_width, scaled_height, percent);
+    const bool chosen = scaled_width == settings.width && scaled_height == settings.height;
+    if (ImGui::Selectable(label.c_str(), chosen) && !chosen) {
+      settings.width = scaled_width;
+      settings.height = scaled_height;
+      changed = true;
+    }
+  }
+  ImGui::EndCombo();
+  return changed;
+}
+
+bool edit_threads(RenderSettings& settings) {
+  const int all = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  int threads = settings.threads > 0 ? settings.threads : all;
+  row("Threads",
+      "Render threads; the window comes first on all of them. Changing it restarts the render.");
+  const char* format = threads == all ? "%d (all)" : "%d";
+  if (!ImGui::SliderInt("##threads", &threads, 1, std::max(all, settings.threads), format,
+                        ImGuiSliderFlags_AlwaysClamp)) {
+    return false;
+  }
+  settings.threads = threads == all ? 0 : threads;
+  return true;
+}
+
+bool edit_seed(RenderSettings& settings) {
+  row("Seed", "The same seed gives the same picture. Changing it restarts the render.");
+  const uint64_t step = 1;
+  return ImGui::InputScalar("##seed", ImGuiDataType_U64, &settings.seed, &step);
+}
+
+bool edit_targets(RenderTargets& targets) {
+  bool changed = false;
+  const std::string restarts = " 0: no limit. Changing it restarts the render.";
+  int passes = static_cast<int>(targets.passes);
+  row_with_unit("Stop after", "passes", "Passes to render, one sample per pixel each." + restarts);
+  if (ImGui::InputInt("##passes", &passes, 16, 256)) {
+    targets.passes = static_cast<uint32_t>(std::max(passes, 0));
+    changed = true;
+  }
+  unit_text("passes");
+  row_with_unit("or after", "s", "Seconds of rendering, pauses excluded." + restarts);
+  if (ImGui::InputDouble("##seconds", &targets.seconds, 10, 60, "%.0f")) {
+    targets.seconds = std::max(targets.seconds, 0.0);
+    changed = true;
+  }
+  unit_text("s");
+  double percent = 100 * targets.relative_error;
+  row_with_unit("or at error", "%",
+                "Estimated relative error of a pixel, mean over the picture." + restarts);
+  if (ImGui::InputDouble("##error", &percent, 0.5, 5, "%.2f")) {
+    targets.relative_error = std::clamp(percent, 0.0, 100.0) / 100;
+    changed = true;
+  }
+  unit_text("%");
+  return changed;
+}
+
+}  // namespace
+
+void draw_render_panel(Document& document, bool region_tool_active, const Perform& perform) {
+  if (!document.has_scene() || !section("Render")) return;
+  draw_commands(document, region_tool_active, perform);
+  RenderSettings settings = document.settings();
+  bool changed = edit_size(document.scene(), settings);
+  changed |= edit_threads(settings);
+  changed |= edit_seed(settings);
+  changed |= edit_targets(settings.targets);
+  if (changed) document.set_settings(settings);
+}
+
+}  // namespace guidelight

@@ -1,0 +1,45 @@
+#include <fmt/format.h>
+
+#include "ui/format.h"
+#include "ui/panels/panels.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+namespace guidelight {
+namespace {
+
+void draw_warnings(const std::vector<std::string>& warnings) {
+  if (warnings.empty()) return;
+  ImGui::PushStyleColor(ImGuiCol_Text, palette::kWarning);
+  const std::string label =
+      fmt::format("{} warning{}", warnings.size(), warnings.size() == 1 ? "" : "s");
+  const bool open = ImGui::TreeNode("warnings", "%s", label.c_str());
+  ImGui::PopStyleColor();
+  if (!open) return;
+  for (const std::string& warning : warnings) wrapped_dim_text(warning);
+  ImGui::TreePop();
+}
+
+}  // namespace
+
+void draw_scene_panel(const Document& document) {
+  if (!section("Scene")) return;
+  if (!document.has_scene()) {
+    wrapped_dim_text("No scene is open. Drop a Mitsuba XML or glTF file on the window, or press " +
+                     shortcut_text(Action::OpenScene) + ".");
+    return;
+  }
+  const Scene& scene = document.scene();
+  const Scene::Statistics statistics = scene.statistics();
+  readout("File", document.opened().path, "The scene file");
+  readout("Shapes", format_count(static_cast<double>(statistics.shapes)));
+  readout("Triangles", format_count(static_cast<double>(statistics.triangles)));
+  if (statistics.instances > 0) {
+    readout("Instances", format_count(static_cast<double>(statistics.instances)));
+  }
+  readout("Lights", format_count(static_cast<double>(statistics.lights)));
+  readout("Memory", format_bytes(statistics.bytes), "Geometry, its search structure and textures");
+  draw_warnings(scene.description().warnings);
+}
+
+}  // namespace guidelight

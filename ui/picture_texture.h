@@ -1,0 +1,30 @@
+#pragma once
+
+#include <imgui.h>
+
+#include "renderer/image/image.h"
+
+namespace guidelight {
+
+/// A display picture in an OpenGL texture. Needs the window's context while it lives.
+class PictureTexture {
+ public:
+  PictureTexture() = default;
+  ~PictureTexture();
+  PictureTexture(const PictureTexture&) = delete;
+  PictureTexture& operator=(const PictureTexture&) = delete;
+
+  void upload(const DisplayImage& image);
+  /// Blends between pixels, or shows each as a square.
+  void set_smooth(bool smooth);
+  bool empty() const { return width_ == 0; }
+  ImTextureID id() const;
+
+ private:
+  unsigned name_ = 0;
+  int width_ = 0;
+  int height_ = 0;
+  bool smooth_ = true;
+};
+
+}  // namespace guidelight

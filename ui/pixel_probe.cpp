@@ -1,0 +1,45 @@
+#include "ui/pixel_probe.h"
+
+#include <algorithm>
+
+namespace guidelight {
+namespace {
+
+std::optional<SeenSurface> look_through(const Scene& scene, int x, int y) {
+  const Ray ray = scene.camera().sample_ray(Vec2(x + 0.5f, y + 0.5f), Vec2(0.5f)).ray;
+  const Hit hit = scene.intersect(ray);
+  if (!hit.valid()) return std::nullopt;
+  const SurfacePoint point = scene.surface_point(ray, hit);
+  return SeenSurface{scene.shape_name(point.shape), scene.bsdf_name(point.shape), point.position,
+                     glm::length(point.position - scene.camera().position()),
+                     point.light != nullptr};
+}
+
+}  // namespace
+
+std::optional<PixelReport> probe_pixel(const Scene& scene, const Snapshot& snapshot, int x, int y) {
+  const Image& beauty = snapshot.layer(Layer::Beauty);
+  if (beauty.empty() || x < 0 || y < 0 || x >= snapshot.full_width || y >= snapshot.full_height) {
+    return std::nullopt;
+  }
+  const int column = std::min(x * beauty.width() / snapshot.full_width, beauty.width() - 1);
+  const int row = std::min(y * beauty.height() / snapshot.full_height, beauty.height() - 1);
+  const auto value = [&](Layer layer) { return snapshot.layer(layer).color(column, row); };
+  PixelReport report;
+  report.x = x;
+  report.y = y;
+  report.radiance = value(Layer::Beauty);
+  report.direct = value(Layer::Direct);
+  report.indirect = value(Layer::Indirect);
+  report.albedo = value(Layer::Albedo);
+  report.normal = value(Layer::Normal);
+  report.depth = value(Layer::Depth).r;
+  report.samples = value(Layer::SampleCount).r;
+  report.standard_error = safe_sqrt(value(Layer::Variance).r);
+  const bool same_size = scene.camera().width() == snapshot.full_width &&
+                         scene.camera().height() == snapshot.full_height;
+  if (same_size) report.seen = look_through(scene, x, y);
+  return report;
+}
+
+}  // namespace guidelight

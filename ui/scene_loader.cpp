@@ -1,0 +1,69 @@
+#include "ui/scene_loader.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <thread>
+
+#include "renderer/error.h"
+#include "renderer/io/scene_file.h"
+
+namespace guidelight {
+namespace {
+
+/// 64-bit FNV-1a of the file's bytes: tells versions of a scene apart.
+std::string hash_of_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  uint64_t hash = 0xcbf29ce484222325u;
+  for (auto byte = std::istreambuf_iterator<char>(file); byte != std::istreambuf_iterator<char>();
+       ++byte) {
+    hash = (hash ^ static_cast<unsigned char>(*byte)) * 0x100000001b3u;
+  }
+  return fmt::format("{:016x}", hash);
+}
+
+OpenedScene read_and_build(const std::string& path,
+                           const std::map<std::string, std::string>& defines) {
+  const std::string absolute = std::filesystem::absolute(path).lexically_normal().string();
+  auto description = std::make_shared<const SceneDescription>(read_scene(absolute, defines));
+  return {absolute, defines, hash_of_file(absolute), Scene::build(std::move(description))};
+}
+
+}  // namespace
+
+SceneLoader::SceneLoader(std::shared_ptr<UiQueue> queue, std::function<void(OpenedScene)> opened,
+                         std::function<void(std::string)> failed)
+    : queue_(std::move(queue)), opened_(std::move(opened)), failed_(std::move(failed)) {}
+
+void SceneLoader::load(const std::string& path, const std::map<std::string, std::string>& defines) {
+  loading_ = path;
+  const uint64_t request = ++newest_request_;
+  ++*running_;
+  std::thread([this, path, defines, request, queue = queue_, running = running_] {
+    // `this` is only used on the UI thread, which drops what is posted once the loader is gone.
+    const auto fail = [&](const std::string& reason) {
+      queue->post([this, request, reason] { finish(request, [&] { failed_(reason); }); });
+    };
+    try {
+      queue->post([this, request, scene = read_and_build(path, defines)] {
+        finish(request, [&] { opened_(scene); });
+      });
+    } catch (const std::bad_alloc&) {
+      fail(fmt::format("{} needs more memory than there is: close other programs or simplify it",
+                       path));
+    } catch (const std::exception& error) {
+      fail(error.what());
+    }
+    --*running;
+  }).detach();
+}
+
+void SceneLoader::finish(uint64_t request, const std::function<void()>& deliver) {
+  if (request != newest_request_) return;
+  loading_.clear();
+  deliver();
+}
+
+}  // namespace guidelight

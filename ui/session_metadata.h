@@ -1,0 +1,35 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "renderer/io/image_file.h"
+#include "ui/document.h"
+
+namespace guidelight {
+
+/// The words that travel with an exported picture: enough to render it again.
+Metadata describe_picture(const JobRecord& record, const Snapshot& picture);
+
+/// What such words say about the session that made the picture.
+struct RememberedSession {
+  std::string scene_path;
+  std::map<std::string, std::string> defines;
+  std::string scene_hash;
+  std::string integrator;
+  std::map<std::string, std::string> parameters;
+  int width = 0;
+  int height = 0;
+  uint64_t seed = 0;
+  Mat4 camera_to_world{1.0f};
+};
+
+/// Empty if the words are not of a picture that describe_picture described.
+std::optional<RememberedSession> session_of(const Metadata& metadata);
+
+/// Gives a document whose scene has just been opened the settings and the camera of a session.
+/// Throws Error for an integrator or parameters that do not exist.
+void restore_session(const RememberedSession& session, Document& document);
+
+}  // namespace guidelight

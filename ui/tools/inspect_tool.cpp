@@ -1,0 +1,32 @@
+#include "ui/tools/inspect_tool.h"
+
+#include <algorithm>
+
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+namespace guidelight {
+
+void InspectTool::press(Document& document, Vec2 pixel) {
+  const RenderSettings& settings = document.settings();
+  const glm::ivec2 picked = glm::ivec2(glm::floor(pixel));
+  const bool inside =
+      picked.x >= 0 && picked.y >= 0 && picked.x < settings.width && picked.y < settings.height;
+  document.view().inspected_pixel = inside ? std::optional(picked) : std::nullopt;
+}
+
+void InspectTool::drag(Document& document, Vec2 pixel) { press(document, pixel); }
+
+void InspectTool::draw(const Document& document, const ViewTransform& transform,
+                       ImDrawList& list) const {
+  const auto& pixel = document.view().inspected_pixel;
+  if (!pixel) return;
+  const Vec2 center = transform.to_screen(Vec2(*pixel) + 0.5f);
+  const float half = std::max(scaled(5), 0.5f * transform.scale() + 1);
+  const ImVec2 low = to_imgui(center - half);
+  const ImVec2 high = to_imgui(center + half);
+  list.AddRect(low, high, IM_COL32(0, 0, 0, 180), 0, 0, scaled(3));
+  list.AddRect(low, high, palette::kAccent, 0, 0, std::max(1.0f, scaled(1)));
+}
+
+}  // namespace guidelight

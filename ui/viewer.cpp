@@ -1,0 +1,362 @@
+#include "ui/viewer.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <thread>
+#include <utility>
+
+#include "renderer/error.h"
+#include "ui/document.h"
+#include "ui/export.h"
+#include "ui/key_table.h"
+#include "ui/layout.h"
+#include "ui/panels/open_dialog.h"
+#include "ui/panels/panels.h"
+#include "ui/picture_developer.h"
+#include "ui/recent_files.h"
+#include "ui/render_view.h"
+#include "ui/scene_loader.h"
+#include "ui/session_metadata.h"
+#include "ui/theme.h"
+#include "ui/ui_queue.h"
+#include "ui/widgets.h"
+#include "ui/window.h"
+
+namespace guidelight {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::microseconds kShortestFrame{16'000};
+constexpr double kLongestSleep = 5;     // [s] when nothing happens …
+constexpr double kShortSleep = 0.5;     // … and when a message or a text cursor is shown
+constexpr int kFramesAfterEvent = 2;    // ImGui needs a second one to settle
+constexpr float kExposureStep = 0.25f;  // [EV]
+constexpr float kScaleStep = 1.1f;
+
+class Viewer {
+ public:
+  explicit Viewer(const ViewerOptions& options);
+  ~Viewer() { queue_->close(); }
+
+  void run();
+  /// Whether threads are left that nobody can wait for.
+  bool leaves_threads_behind() const { return loader_.threads_running(); }
+
+ private:
+  void draw_frame();
+  void draw_panels();
+  void draw_view();
+  void update_title();
+  void wait_for_next_frame(Clock::time_point last_frame);
+
+  void handle_key(int key, int modifiers);
+  void handle_drop(const std::vector<std::string>& paths);
+  void perform(Action action);
+
+  void open_scene(const std::string& path);
+  void take_scene(OpenedScene opened);
+  void open_session_of(const std::string& picture_path);
+
+  std::shared_ptr<UiQueue> queue_ = std::make_shared<UiQueue>(&Window::wake);
+  SceneLoader loader_;
+  Window window_;
+  Document document_{&Window::wake};
+  PictureDeveloper developer_;
+  RenderView view_{window_};
+  Exporter exporter_;
+  RecentFiles recent_;
+  OpenDialog open_dialog_;
+  Layout layout_;
+  std::optional<RememberedSession> to_restore_;  // once its scene is there
+  std::string title_;
+  bool panels_shown_ = true;
+  bool inspector_shown_ = true;
+  bool key_sheet_shown_ = false;
+  bool capture_requested_ = false;
+  int frames_due_ = kFramesAfterEvent;
+};
+
+/// A file that Guidelight may have saved, with the session in its metadata.
+bool looks_like_picture(const std::string& path) {
+  return path.ends_with(".png") || path.ends_with(".exr");
+}
+
+std::string current_folder() {
+  std::error_code ignored;
+  return std::filesystem::current_path(ignored).string();
+}
+
+Viewer::Viewer(const ViewerOptions& options)
+    : loader_(
+          queue_, [this](OpenedScene opened) { take_scene(std::move(opened)); },
+          [this](const std::string& reason) {
+            to_restore_.reset();
+            document_.messages().error(reason);
+          }),
+      window_("Guidelight", options.ui_scale),
+      developer_(
+          *queue_,
+          [this](std::shared_ptr<const Picture> picture) { view_.show(std::move(picture)); }),
+      exporter_(document_, *queue_, current_folder()) {
+  RenderSettings overrides;
+  overrides.integrator = options.integrator;
+  overrides.width = options.width;
+  overrides.height = options.height;
+  overrides.threads = options.threads;
+  overrides.seed = options.seed;
+  document_.override_settings(overrides);
+  window_.on_key = [this](int key, int modifiers) { handle_key(key, modifiers); };
+  window_.on_drop = [this](const std::vector<std::string>& paths) { handle_drop(paths); };
+  if (!options.scene_path.empty()) loader_.load(options.scene_path, options.defines);
+}
+
+// -- The loop.
+
+void Viewer::run() {
+  Clock::time_point frame_began = Clock::now();
+  while (!window_.should_close()) {
+    wait_for_next_frame(frame_began);
+    frame_began = Clock::now();
+    queue_->run();
+    document_.update(frame_began);
+    if (document_.picture()) {
+      developer_.request(document_.picture(), document_.view().layer, document_.view().current());
+    }
+    update_title();
+    draw_frame();
+  }
+}
+
+/// Sleeps until something happens; no more than sixty frames are drawn in a second.
+void Viewer::wait_for_next_frame(Clock::time_point last_frame) {
+  if (--frames_due_ <= 0 && !view_.animating()) {
+    const bool calm = document_.messages().shown().empty() && !ImGui::GetIO().WantTextInput;
+    window_.wait_events(calm ? kLongestSleep : kShortSleep);
+    frames_due_ = kFramesAfterEvent;
+  }
+  std::this_thread::sleep_until(last_frame + kShortestFrame);
+  window_.wait_events(0);
+}
+
+void Viewer::update_title() {
+  const std::string title =
+      document_.has_scene() ? document_.title() + " — Guidelight" : "Guidelight";
+  if (title == title_) return;
+  title_ = title;
+  window_.set_title(title);
+}
+
+void Viewer::draw_frame() {
+  window_.begin_frame();
+  const auto act = [this](Action action) { perform(action); };
+  float menu_height = 0;
+  if (panels_shown_) {
+    draw_menu_bar(recent_, act, [this](const std::string& path) { open_scene(path); });
+    menu_height = ImGui::GetFrameHeight();
+  }
+  layout_.update(panels_shown_, menu_height);
+  draw_view();
+  if (panels_shown_) draw_panels();
+  open_dialog_.draw(recent_, [this](const std::string& path) { open_scene(path); });
+  if (key_sheet_shown_) draw_key_sheet(key_sheet_shown_);
+
+  if (capture_requested_) {
+    capture_requested_ = false;
+    DisplayImage capture;
+    window_.end_frame(&capture);
+    exporter_.save_window(std::move(capture));
+  } else {
+    window_.end_frame();
+  }
+}
+
+void Viewer::draw_view() {
+  begin_area("view", layout_.view(), false, palette::kBackdrop);
+  view_.draw(document_);
+  ImGui::End();
+  const Area& area = layout_.view();
+  const float margin = scaled(12);
+  draw_messages(document_.messages(),
+                {area.corner.x + margin, area.corner.y + area.size.y - margin},
+                std::min(area.size.x - 2 * margin, scaled(620)));
+}
+
+void Viewer::draw_panels() {
+  const auto act = [this](Action action) { perform(action); };
+  begin_area("left", layout_.left(), true, palette::kPanel);
+  draw_scene_panel(document_);
+  draw_integrator_panel(document_);
+  draw_render_panel(document_, view_.region_tool_active(), act);
+  ImGui::End();
+
+  begin_area("right", layout_.right(), true, palette::kPanel);
+  draw_image_panel(document_, act);
+  draw_histogram_panel(document_, view_.picture().get());
+  if (inspector_shown_) draw_inspector_panel(document_, view_.hovered_pixel());
+  ImGui::End();
+
+  begin_area("status", layout_.status(), true, palette::kPanel);
+  draw_status_bar(document_, view_, loader_.loading());
+  ImGui::End();
+}
+
+// -- What the person does.
+
+void Viewer::handle_key(int key, int modifiers) {
+  frames_due_ = kFramesAfterEvent;
+  if (view_.animating() || open_dialog_.is_open()) return;
+  if (const auto action = action_for(key, modifiers)) perform(*action);
+}
+
+void Viewer::handle_drop(const std::vector<std::string>& paths) {
+  if (paths.empty()) return;
+  if (looks_like_picture(paths.front())) {
+    open_session_of(paths.front());
+  } else {
+    open_scene(paths.front());
+  }
+}
+
+void Viewer::perform(Action action) {
+  DisplaySettings& display = document_.view().current();
+  switch (action) {
+    case Action::OpenScene:
+      open_dialog_.open(std::filesystem::path(document_.opened().path).parent_path().string());
+      break;
+    case Action::ReloadScene:
+      if (document_.has_scene()) loader_.load(document_.opened().path, document_.opened().defines);
+      break;
+    case Action::Screenshot:
+      exporter_.save_png(view_.picture());
+      break;
+    case Action::WindowCapture:
+      capture_requested_ = true;
+      break;
+    case Action::ExportHalf:
+      exporter_.save_exr(true);
+      break;
+    case Action::ExportFloat:
+      exporter_.save_exr(false);
+      break;
+    case Action::Quit:
+      window_.close();
+      break;
+    case Action::PauseResume:
+      document_.set_paused(!document_.paused());
+      break;
+    case Action::Restart:
+      document_.restart();
+      break;
+    case Action::RegionTool:
+      view_.region_tool_active() ? view_.use_default_tool() : view_.use_region_tool();
+      break;
+    case Action::ClearRegion: {
+      view_.use_default_tool();
+      RenderSettings settings = document_.settings();
+      if (settings.region) {
+        settings.region.reset();
+        document_.set_settings(settings);
+      }
+      break;
+    }
+    case Action::FrameScene:
+      document_.move_camera(
+          [&](CameraController& camera) { camera.frame(document_.scene().bounds()); });
+      break;
+    case Action::ResetCamera:
+      document_.reset_camera();
+      break;
+    case Action::ExposureUp:
+      display.exposure += kExposureStep;
+      break;
+    case Action::ExposureDown:
+      display.exposure -= kExposureStep;
+      break;
+    case Action::NormaliseExposure:
+      document_.normalise();
+      break;
+    case Action::PreviousLayer:
+      document_.step_layer(-1);
+      break;
+    case Action::NextLayer:
+      document_.step_layer(1);
+      break;
+    case Action::ClipWarning:
+      display.show_clipped = !display.show_clipped;
+      break;
+    case Action::Inspector:
+      inspector_shown_ = !inspector_shown_;
+      break;
+    case Action::ZoomFit:
+      view_.transform().fit();
+      break;
+    case Action::ZoomActual:
+      view_.transform().zoom_to(1);
+      break;
+    case Action::KeySheet:
+      key_sheet_shown_ = !key_sheet_shown_;
+      break;
+    case Action::HideUi:
+      panels_shown_ = !panels_shown_;
+      break;
+    case Action::LargerUi:
+      window_.set_scale(window_.scale() * kScaleStep);
+      break;
+    case Action::SmallerUi:
+      window_.set_scale(window_.scale() / kScaleStep);
+      break;
+  }
+}
+
+// -- Scenes.
+
+void Viewer::open_scene(const std::string& path) {
+  to_restore_.reset();
+  loader_.load(path);
+}
+
+void Viewer::take_scene(OpenedScene opened) {
+  const std::string path = opened.path;
+  document_.open(std::move(opened));
+  view_.use_default_tool();
+  view_.transform().fit();
+  try {
+    if (to_restore_) restore_session(*std::exchange(to_restore_, {}), document_);
+    recent_.add(path);
+  } catch (const std::exception& error) {
+    document_.messages().warning(error.what());
+  }
+}
+
+/// Opens the scene that a saved picture is of, from where the picture was seen.
+void Viewer::open_session_of(const std::string& picture_path) {
+  try {
+    to_restore_ = session_of(read_metadata(picture_path));
+    if (!to_restore_) {
+      throw Error("{} carries no session: drop a picture that Guidelight saved, or a scene",
+                  picture_path);
+    }
+    loader_.load(to_restore_->scene_path, to_restore_->defines);
+  } catch (const std::exception& error) {
+    document_.messages().error(error.what());
+  }
+}
+
+}  // namespace
+
+int run_viewer(const ViewerOptions& options) {
+  if (!options.integrator.empty()) find_integrator(options.integrator);  // throws for unknown names
+  bool leave_at_once = false;
+  {
+    Viewer viewer(options);
+    viewer.run();
+    leave_at_once = viewer.leaves_threads_behind();
+  }
+  // A scene that is still being read cannot be interrupted; nothing else is left to be done.
+  if (leave_at_once) std::_Exit(0);
+  return 0;
+}
+
+}  // namespace guidelight

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <string>
+#include <vector>
+
+#include "renderer/math/vector.h"
+
+/// The few building blocks that all panels are made of.
+namespace guidelight {
+
+inline ImVec2 to_imgui(Vec2 v) { return {v.x, v.y}; }
+inline Vec2 from_imgui(ImVec2 v) { return {v.x, v.y}; }
+
+/// Lengths are given for scale 1 and follow the font.
+float scaled(float length);
+
+/// A heading that opens and closes what follows; returns whether it is open.
+bool section(const char* title);
+
+/// Begins a row: the label on the left with a tooltip, the next widget fills the right.
+void row(const char* label, const std::string& help = "");
+/// The same with something dim after the widget, for instance its unit.
+void row_with_unit(const char* label, const std::string& unit, const std::string& help = "");
+/// Puts the unit announced by row_with_unit after the widget.
+void unit_text(const std::string& unit);
+
+/// A row that shows a value; too long values are shortened in the middle, the tooltip has them
+/// whole.
+void readout(const char* label, const std::string& value, const std::string& help = "");
+
+void dim_text(const std::string& text);
+void wrapped_dim_text(const std::string& text);
+/// Explains the widget before it when the mouse rests there.
+void tooltip(const std::string& text);
+
+/// A button in the accent colour while `on`.
+bool toggle_button(const char* label, bool on, ImVec2 size = {0, 0});
+
+/// The text, or its beginning and end around "…", so that it is no wider than `width`.
+std::string shortened(const std::string& text, float width);
+
+}  // namespace guidelight

@@ -1,0 +1,179 @@
+#include "ui/window.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <epoxy/gl.h>
+#include <imgui_impl_glfw.h>
+#include <imgui_impl_opengl3.h>
+
+#include <algorithm>
+
+#include "renderer/error.h"
+#include "ui/theme.h"
+
+namespace guidelight {
+namespace {
+
+constexpr int kPreferredWidth = 1440;
+constexpr int kPreferredHeight = 900;
+constexpr float kSmallestScale = 0.5f;
+constexpr float kLargestScale = 4;
+
+std::string glfw_error() {
+  const char* text = nullptr;
+  glfwGetError(&text);
+  return text ? text : "no reason given";
+}
+
+/// As large as the interface's scale asks for, but never larger than the monitor.
+std::pair<int, int> window_size(float scale) {
+  int width = static_cast<int>(kPreferredWidth * scale);
+  int height = static_cast<int>(kPreferredHeight * scale);
+  if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
+    int x = 0, y = 0, room_width = width, room_height = height;
+    glfwGetMonitorWorkarea(monitor, &x, &y, &room_width, &room_height);
+    if (room_width > 0) width = std::min(width, room_width);
+    if (room_height > 0) height = std::min(height, room_height);
+  }
+  return {width, height};
+}
+
+float monitor_scale() {
+  float x = 1, y = 1;
+  if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) glfwGetMonitorContentScale(monitor, &x, &y);
+  return std::max(x, y);
+}
+
+Window& window_of(GLFWwindow* handle) {
+  return *static_cast<Window*>(glfwGetWindowUserPointer(handle));
+}
+
+/// What has been drawn and not yet shown.
+DisplayImage read_back_buffer(int width, int height) {
+  DisplayImage image{width, height, {}};
+  const size_t row = static_cast<size_t>(width) * 4;
+  std::vector<uint8_t> bottom_up(row * height);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadBuffer(GL_BACK);
+  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, bottom_up.data());
+  image.rgba.resize(bottom_up.size());
+  for (int y = 0; y < height; ++y) {
+    std::copy_n(bottom_up.data() + y * row, row, image.rgba.data() + (height - 1 - y) * row);
+  }
+  for (size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
+  return image;
+}
+
+}  // namespace
+
+Window::Window(const std::string& title, float ui_scale) {
+  if (!glfwInit()) {
+    throw Error(
+        "cannot open a window ({}): start it in a graphical session, or use `guidelight render`",
+        glfw_error());
+  }
+  scale_ = std::clamp(ui_scale > 0 ? ui_scale : monitor_scale(), kSmallestScale, kLargestScale);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_DEPTH_BITS, 0);
+  glfwWindowHint(GLFW_STENCIL_BITS, 0);
+  const auto [width, height] = window_size(scale_);
+  window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+  if (!window_) {
+    const std::string reason = glfw_error();
+    glfwTerminate();
+    throw Error(
+        "cannot open a window with OpenGL 3.3 ({}): install a graphics driver, or Mesa's software "
+        "rasteriser (libgl1-mesa-dri)",
+        reason);
+  }
+  glfwMakeContextCurrent(window_);
+  glfwSwapInterval(1);
+  ImGui::CreateContext();
+  ImGui::GetIO().IniFilename = nullptr;
+  glfwSetWindowUserPointer(window_, this);
+  install_callbacks();
+  ImGui_ImplGlfw_InitForOpenGL(window_, true);
+  ImGui_ImplOpenGL3_Init("#version 330 core");
+}
+
+Window::~Window() {
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui_ImplGlfw_Shutdown();
+  ImGui::DestroyContext();
+  glfwDestroyWindow(window_);
+  glfwTerminate();
+}
+
+/// Installed before ImGui's, which calls them after it has seen the event itself.
+void Window::install_callbacks() {
+  glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int, int action, int modifiers) {
+    Window& window = window_of(handle);
+    if (action == GLFW_RELEASE || ImGui::GetIO().WantTextInput || !window.on_key) return;
+    window.on_key(key, modifiers);
+  });
+  glfwSetDropCallback(window_, [](GLFWwindow* handle, int count, const char** paths) {
+    Window& window = window_of(handle);
+    if (window.on_drop) window.on_drop(std::vector<std::string>(paths, paths + count));
+  });
+  glfwSetWindowContentScaleCallback(window_, [](GLFWwindow* handle, float x, float y) {
+    window_of(handle).set_scale(std::max(x, y));
+  });
+}
+
+bool Window::should_close() const { return glfwWindowShouldClose(window_); }
+void Window::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
+void Window::set_title(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
+
+void Window::wait_events(double seconds) {
+  if (seconds > 0) {
+    glfwWaitEventsTimeout(seconds);
+  } else {
+    glfwPollEvents();
+  }
+}
+
+void Window::wake() { glfwPostEmptyEvent(); }
+
+void Window::begin_frame() {
+  if (scale_changed_) {
+    scale_changed_ = false;
+    apply_theme(scale_);
+    load_fonts(scale_);
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+  }
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui_ImplGlfw_NewFrame();
+  ImGui::NewFrame();
+}
+
+void Window::end_frame(DisplayImage* capture) {
+  ImGui::Render();
+  int width = 0, height = 0;
+  glfwGetFramebufferSize(window_, &width, &height);
+  glViewport(0, 0, width, height);
+  const ImVec4 backdrop = ImGui::ColorConvertU32ToFloat4(palette::kBackdrop);
+  glClearColor(backdrop.x, backdrop.y, backdrop.z, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  if (capture) *capture = read_back_buffer(width, height);
+  glfwSwapBuffers(window_);
+}
+
+void Window::set_scale(float scale) {
+  scale_ = std::clamp(scale, kSmallestScale, kLargestScale);
+  scale_changed_ = true;
+  wake();
+}
+
+bool Window::key_down(int key) const { return glfwGetKey(window_, key) == GLFW_PRESS; }
+
+int Window::modifiers() const {
+  const ImGuiIO& io = ImGui::GetIO();
+  return (io.KeyCtrl ? GLFW_MOD_CONTROL : 0) | (io.KeyShift ? GLFW_MOD_SHIFT : 0) |
+         (io.KeyAlt ? GLFW_MOD_ALT : 0);
+}
+
+}  // namespace guidelight

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "renderer/image/image.h"
+
+struct GLFWwindow;
+
+namespace guidelight {
+
+/// The window with its OpenGL context and ImGui: opens, waits for events, begins and ends frames.
+class Window {
+ public:
+  /// ui_scale 0 takes the monitor's. Throws Error if no window can be opened.
+  Window(const std::string& title, float ui_scale);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  bool should_close() const;
+  void close();
+  void set_title(const std::string& title);
+
+  /// Sleeps until something happens or the time is over; a negative time does not sleep at all.
+  void wait_events(double seconds);
+  /// Ends the sleep of wait_events; from any thread.
+  static void wake();
+
+  void begin_frame();
+  /// Draws what ImGui was told since begin_frame and shows it; fills `capture` with it, if given.
+  void end_frame(DisplayImage* capture = nullptr);
+
+  float scale() const { return scale_; }
+  /// Rebuilds fonts and theme before the next frame.
+  void set_scale(float scale);
+
+  /// Keys as they are pressed or repeated: GLFW key code and modifiers. Not called for keys that a
+  /// text field takes.
+  std::function<void(int key, int modifiers)> on_key;
+  /// Files dropped on the window.
+  std::function<void(std::vector<std::string>)> on_drop;
+
+  bool key_down(int key) const;
+  /// GLFW_MOD_ bits held at the moment.
+  int modifiers() const;
+
+ private:
+  void install_callbacks();
+
+  GLFWwindow* window_ = nullptr;
+  float scale_ = 1;
+  bool scale_changed_ = true;
+};
+
+}  // namespace guidelight
