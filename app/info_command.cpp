@@ -10,9 +10,12 @@ namespace {
 
 const char* camera_model_name(CameraModel model) {
   switch (model) {
-    case CameraModel::Perspective: return "perspective";
-    case CameraModel::ThinLens: return "thin lens";
-    case CameraModel::Orthographic: return "orthographic";
+    case CameraModel::Perspective:
+      return "perspective";
+    case CameraModel::ThinLens:
+      return "thin lens";
+    case CameraModel::Orthographic:
+      return "orthographic";
   }
   return "unknown";
 }

@@ -15,13 +15,14 @@ void merge(const std::vector<std::string>& inputs, const std::string& output) {
   for (size_t i = 1; i < inputs.size(); ++i) {
     const Checkpoint next = read_checkpoint(inputs[i]);
     if (next.identity != first.identity) {
-      throw Error("{} and {} show different scenes or settings: merge parts of one render", inputs[0],
-                  inputs[i]);
+      throw Error("{} and {} show different scenes or settings: merge parts of one render",
+                  inputs[0], inputs[i]);
     }
     if (next.seed == first.seed) {
-      throw Error("{} and {} were rendered with the same seed and hold the same samples: use another "
-                  "--seed for each part",
-                  inputs[0], inputs[i]);
+      throw Error(
+          "{} and {} were rendered with the same seed and hold the same samples: use another "
+          "--seed for each part",
+          inputs[0], inputs[i]);
     }
     film->merge(*next.film);
     merged.seconds += next.seconds;
@@ -32,7 +33,8 @@ void merge(const std::vector<std::string>& inputs, const std::string& output) {
   picture.metadata = merged.identity;
   picture.metadata["passes"] = fmt::format("{}", merged.next_pass);
   picture.metadata["seconds"] = fmt::format("{:.3f}", merged.seconds);
-  for (const Layer layer : kAllLayers) picture.layers.emplace_back(layer_name(layer), film->develop(layer));
+  for (const Layer layer : kAllLayers)
+    picture.layers.emplace_back(layer_name(layer), film->develop(layer));
   write_exr(output, picture);
   fmt::print("{}\n", output);
 }

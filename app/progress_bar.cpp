@@ -19,9 +19,9 @@ std::string duration_text(double seconds) {
 
 std::string status_text(const Snapshot& snapshot) {
   const double rate = snapshot.seconds > 0 ? snapshot.samples / snapshot.seconds : 0;
-  std::string text = fmt::format("{} passes, {}, {:.2f} M paths/s, noise {:.2f} %", snapshot.passes,
-                                 duration_text(snapshot.seconds), rate * 1e-6,
-                                 100 * snapshot.relative_error);
+  std::string text =
+      fmt::format("{} passes, {}, {:.2f} M paths/s, noise {:.2f} %", snapshot.passes,
+                  duration_text(snapshot.seconds), rate * 1e-6, 100 * snapshot.relative_error);
   if (snapshot.progress > 0.01f && snapshot.progress < 1) {
     text += fmt::format(", {} left", duration_text(snapshot.seconds * (1 / snapshot.progress - 1)));
   }
@@ -36,7 +36,8 @@ void ProgressBar::show(const Snapshot& snapshot) {
   if (is_terminal_) {
     const int filled = static_cast<int>(kBarWidth * snapshot.progress);
     fmt::print(stderr, "\r\033[K[{}{}] {:3.0f} %  {}", std::string(filled, '#'),
-               std::string(kBarWidth - filled, '.'), 100 * snapshot.progress, status_text(snapshot));
+               std::string(kBarWidth - filled, '.'), 100 * snapshot.progress,
+               status_text(snapshot));
     std::fflush(stderr);
   } else if (snapshot.seconds >= next_line_ && snapshot.passes > 0) {
     fmt::print(stderr, "{:3.0f} %  {}\n", 100 * snapshot.progress, status_text(snapshot));

@@ -6,8 +6,8 @@
 
 namespace guidelight {
 
-/// Shows how a render gets on: one line that is redrawn on a terminal, otherwise a plain line every few
-/// seconds. Writes to standard error.
+/// Shows how a render gets on: one line that is redrawn on a terminal, otherwise a plain line every
+/// few seconds. Writes to standard error.
 class ProgressBar {
  public:
   ProgressBar();

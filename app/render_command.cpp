@@ -65,9 +65,10 @@ void RenderCommand::resume_into(RenderJob& job) const {
   if (!std::filesystem::exists(checkpoint)) return;
   const Checkpoint saved = read_checkpoint(checkpoint);
   if (saved.identity != identity_of(job)) {
-    throw Error("{}: saved from another scene, integrator or settings: use the same ones, or another "
-                "checkpoint file",
-                checkpoint);
+    throw Error(
+        "{}: saved from another scene, integrator or settings: use the same ones, or another "
+        "checkpoint file",
+        checkpoint);
   }
   if (saved.seed != job.seed) {
     throw Error("{}: saved with --seed {}: resume with the same seed", checkpoint, saved.seed);

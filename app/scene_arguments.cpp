@@ -11,7 +11,8 @@ namespace guidelight {
 void SceneArguments::add_to(CLI::App& command, bool required) {
   auto* scene = command.add_option("SCENE", path, "Mitsuba XML or glTF 2.0 file");
   if (required) scene->required();
-  command.add_option("-D", defines, "Set a variable of an XML scene: name=value")->allow_extra_args(false);
+  command.add_option("-D", defines, "Set a variable of an XML scene: name=value")
+      ->allow_extra_args(false);
   command.add_option("--size", size, "Picture size, WxH pixels");
 }
 
@@ -51,8 +52,8 @@ std::vector<int> split_numbers(const std::string& option, const std::string& tex
     if (stopped == end) break;
   }
   if (next != end || numbers.size() != count || text.back() == separator) {
-    throw CLI::ValidationError(
-        option, fmt::format("'{}' is not {} whole numbers separated by '{}'", text, count, separator));
+    throw CLI::ValidationError(option, fmt::format("'{}' is not {} whole numbers separated by '{}'",
+                                                   text, count, separator));
   }
   return numbers;
 }

@@ -25,8 +25,8 @@ struct SceneArguments {
 std::pair<std::string, std::string> split_assignment(const std::string& option,
                                                      const std::string& text);
 
-/// Numbers of a list such as 640x480 or 0,0,64,64. Throws CLI::ValidationError unless there are `count`
-/// whole numbers.
+/// Numbers of a list such as 640x480 or 0,0,64,64. Throws CLI::ValidationError unless there are
+/// `count` whole numbers.
 std::vector<int> split_numbers(const std::string& option, const std::string& text, char separator,
                                size_t count);
 

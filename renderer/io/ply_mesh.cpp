@@ -129,9 +129,10 @@ class Values {
     const size_t size = size_of(type);
     if (data_.size() < size) throw Error("the file ends too early");
     std::array<char, 8> bytes{};
-    std::copy_n(data_.data(), size, bytes.data());
+    for (size_t i = 0; i < size; ++i) {
+      bytes[i] = data_[encoding_ == Encoding::BigEndian ? size - 1 - i : i];
+    }
     data_.remove_prefix(size);
-    if (encoding_ == Encoding::BigEndian) std::reverse(bytes.data(), bytes.data() + size);
     const auto as = [&]<typename T>(T value) {
       std::memcpy(&value, bytes.data(), sizeof(T));
       return static_cast<double>(value);
