@@ -54,7 +54,7 @@ void Document::open(OpenedScene opened) {
   view_.inspected_pixel.reset();
   range_known_ = {};
   picture_ = nullptr;
-  records_.clear();
+  jobs_.clear();
   set_paused(false);
   reset_camera();
   const size_t warnings = scene().description().warnings.size();
@@ -149,17 +149,17 @@ void Document::set_paused(bool paused) {
 void Document::update(Clock::time_point now) {
   messages_.expire(now);
   status_ = session_.snapshot();
-  const bool of_this_scene = !records_.empty() && status_->job >= records_.front().job;
+  const bool of_this_scene = !jobs_.empty() && status_->job >= jobs_.front().number;
   if (of_this_scene && status_->has_picture()) picture_ = status_;
-  while (picture_ && records_.size() > 1 && records_.front().job < picture_->job) {
-    records_.pop_front();
+  while (picture_ && jobs_.size() > 1 && jobs_.front().number < picture_->job) {
+    jobs_.pop_front();
   }
   if (status_->state == SessionState::Failed && failure_reported_ != status_->job) {
     failure_reported_ = status_->job;
     messages_.error("Rendering failed: " + status_->error);
   }
   if (!range_known_[static_cast<size_t>(view_.layer)]) show_layer(view_.layer);
-  const bool answered = records_.empty() || status_->job == records_.back().job ||
+  const bool answered = jobs_.empty() || status_->job == jobs_.back().number ||
                         now - job_started_ > kLongestWaitForPicture;
   if (restart_pending_ && answered) start(now);
 }
@@ -174,12 +174,13 @@ void Document::start(Clock::time_point now) {
   job.targets = settings_.targets;
   job.region = settings_.region;
   job.coarse_first = true;
-  records_.push_back({session_.start(std::move(job)), opened_, settings_, camera_.to_world()});
+  const uint64_t number = session_.start(job);
+  jobs_.push_back({number, std::move(job)});
   job_started_ = now;
   restart_pending_ = false;
 }
 
-const JobRecord& Document::picture_record() const { return records_.front(); }
+const RenderJob& Document::picture_job() const { return jobs_.front().job; }
 
 // -- The look of the picture.
 

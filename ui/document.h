@@ -20,7 +20,6 @@ namespace guidelight {
 struct OpenedScene {
   std::string path;
   std::map<std::string, std::string> defines;  // variables it was read with
-  std::string file_hash;                       // of the scene file's bytes, hexadecimal
   std::shared_ptr<const Scene> scene;
 };
 
@@ -34,14 +33,6 @@ struct RenderSettings {
   int threads = 0;  // 0: all processors
   RenderTargets targets;
   std::optional<PixelRegion> region;
-};
-
-/// What one job of the session renders.
-struct JobRecord {
-  uint64_t job = 0;
-  OpenedScene opened;
-  RenderSettings settings;
-  Mat4 to_world{1.0f};  // of the camera
 };
 
 /// How the picture is looked at. Changing it never restarts the render.
@@ -110,7 +101,7 @@ class Document {
   /// The latest picture; null before the first.
   const std::shared_ptr<const Snapshot>& picture() const { return picture_; }
   /// What the latest picture is of, even if a newer job has been started since.
-  const JobRecord& picture_record() const;
+  const RenderJob& picture_job() const;
 
   // -- The look of the picture.
   ViewSettings& view() { return view_; }
@@ -139,7 +130,11 @@ class Document {
 
   bool paused_ = false;
   bool restart_pending_ = false;
-  std::deque<JobRecord> records_;  // from the picture's job to the last one started
+  struct StartedJob {
+    uint64_t number;
+    RenderJob job;
+  };
+  std::deque<StartedJob> jobs_;  // from the picture's to the last one started
   Clock::time_point job_started_;
   uint64_t failure_reported_ = 0;  // job
   std::shared_ptr<const Snapshot> status_ = std::make_shared<const Snapshot>();

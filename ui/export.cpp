@@ -4,18 +4,12 @@
 
 #include <filesystem>
 
-#include "renderer/io/image_file.h"
-#include "ui/session_metadata.h"
+#include "renderer/session/picture_export.h"
 
 namespace guidelight {
 namespace {
 
 namespace fs = std::filesystem;
-
-Metadata describe_display(const Picture& picture) {
-  return {{"layer", layer_name(picture.layer)},
-          {"exposure", fmt::format("{:.3f}", picture.display.exposure)}};
-}
 
 }  // namespace
 
@@ -27,8 +21,9 @@ void Exporter::save_png(std::shared_ptr<const Picture> picture) {
     document_.messages().warning("There is no picture to save yet.");
     return;
   }
-  Metadata metadata = describe_picture(document_.picture_record(), *picture->snapshot);
-  metadata.merge(describe_display(*picture));
+  Metadata metadata = describe_render(document_.picture_job(), *picture->snapshot);
+  metadata["layer"] = layer_name(picture->layer);
+  metadata["exposure"] = fmt::format("{}", picture->display.exposure);
   write(next_path("", "png"), [picture, metadata](const std::string& path) {
     write_png(path, picture->image, metadata);
   });
@@ -40,21 +35,16 @@ void Exporter::save_exr(bool half_precision) {
     document_.messages().warning("There is no picture to export yet.");
     return;
   }
-  Metadata metadata = describe_picture(document_.picture_record(), *picture);
-  write(next_path("", "exr"), [picture, metadata, half_precision](const std::string& path) {
-    ImageLayers layers;
-    layers.metadata = metadata;
-    for (const Layer layer : kAllLayers) {
-      layers.layers.emplace_back(layer_name(layer), picture->layer(layer));
-    }
-    write_exr(path, layers, half_precision);
-  });
+  write(next_path("", "exr"),
+        [picture, job = document_.picture_job(), half_precision](const std::string& path) {
+          export_exr(path, job, *picture, half_precision);
+        });
 }
 
 void Exporter::save_window(DisplayImage window) {
   Metadata metadata;
   if (document_.picture()) {
-    metadata = describe_picture(document_.picture_record(), *document_.picture());
+    metadata = describe_render(document_.picture_job(), *document_.picture());
   }
   write(next_path("-window", "png"),
         [window = std::move(window), metadata](const std::string& path) {

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <thread>
 
 #include "renderer/error.h"
@@ -13,22 +11,11 @@
 namespace guidelight {
 namespace {
 
-/// 64-bit FNV-1a of the file's bytes: tells versions of a scene apart.
-std::string hash_of_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  uint64_t hash = 0xcbf29ce484222325u;
-  for (auto byte = std::istreambuf_iterator<char>(file); byte != std::istreambuf_iterator<char>();
-       ++byte) {
-    hash = (hash ^ static_cast<unsigned char>(*byte)) * 0x100000001b3u;
-  }
-  return fmt::format("{:016x}", hash);
-}
-
 OpenedScene read_and_build(const std::string& path,
                            const std::map<std::string, std::string>& defines) {
   const std::string absolute = std::filesystem::absolute(path).lexically_normal().string();
   auto description = std::make_shared<const SceneDescription>(read_scene(absolute, defines));
-  return {absolute, defines, hash_of_file(absolute), Scene::build(std::move(description))};
+  return {absolute, defines, Scene::build(std::move(description))};
 }
 
 }  // namespace

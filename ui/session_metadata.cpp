@@ -2,24 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <sstream>
+
+#include "renderer/session/picture_export.h"
 
 namespace guidelight {
 namespace {
 
-constexpr const char* kParameterPrefix = "parameter.";
-constexpr const char* kDefinePrefix = "define.";
-
-std::string matrix_text(const Mat4& matrix) {
-  std::string text;
-  for (int row = 0; row < 4; ++row) {
-    for (int column = 0; column < 4; ++column) {
-      text += fmt::format("{}{:.9g}", text.empty() ? "" : " ", matrix[column][row]);
-    }
-  }
-  return text;
-}
+constexpr const char* kParameterPrefix = "set.";
 
 std::optional<Mat4> matrix_from(const std::string& text) {
   std::istringstream stream(text);
@@ -57,50 +49,21 @@ std::map<std::string, std::string> with_prefix(const Metadata& metadata,
 
 }  // namespace
 
-Metadata describe_picture(const JobRecord& record, const Snapshot& picture) {
-  const RenderSettings& settings = record.settings;
-  Metadata metadata = {
-      {"software", "Guidelight"},
-      {"scene", record.opened.path},
-      {"scene_hash", record.opened.file_hash},
-      {"integrator", settings.integrator},
-      {"seed", std::to_string(settings.seed)},
-      {"width", std::to_string(settings.width)},
-      {"height", std::to_string(settings.height)},
-      {"passes", std::to_string(picture.passes)},
-      {"samples", std::to_string(picture.samples)},
-      {"seconds", fmt::format("{:.3f}", picture.seconds)},
-      {"relative_error", fmt::format("{:.6g}", picture.relative_error)},
-      {"camera_to_world", matrix_text(record.to_world)},
-  };
-  if (settings.region) {
-    const PixelRegion& region = *settings.region;
-    metadata["region"] = fmt::format("{},{},{},{}", region.x0, region.y0, region.x1, region.y1);
-  }
-  for (const auto& [name, value] : record.opened.defines) metadata[kDefinePrefix + name] = value;
-  if (settings.parameters) {
-    const auto parameters = settings.parameters->clone();
-    for (const Parameter& parameter : parameters->parameters()) {
-      metadata[kParameterPrefix + parameter.key] = parameter_text(parameter);
-    }
-  }
-  return metadata;
-}
-
 std::optional<RememberedSession> session_of(const Metadata& metadata) {
   RememberedSession session;
   session.scene_path = lookup(metadata, "scene");
   session.integrator = lookup(metadata, "integrator");
   const auto camera = matrix_from(lookup(metadata, "camera_to_world"));
-  const auto width = number_from<int>(lookup(metadata, "width"));
-  const auto height = number_from<int>(lookup(metadata, "height"));
+  const std::string size = lookup(metadata, "size");
+  const size_t times = std::min(size.find('x'), size.size());
+  const auto width = number_from<int>(size.substr(0, times));
+  const auto height = number_from<int>(size.substr(std::min(times + 1, size.size())));
   const auto seed = number_from<uint64_t>(lookup(metadata, "seed"));
   if (session.scene_path.empty() || session.integrator.empty() || !camera || !width || !height ||
       !seed) {
     return std::nullopt;
   }
   session.scene_hash = lookup(metadata, "scene_hash");
-  session.defines = with_prefix(metadata, kDefinePrefix);
   session.parameters = with_prefix(metadata, kParameterPrefix);
   session.camera_to_world = *camera;
   session.width = *width;
@@ -110,7 +73,7 @@ std::optional<RememberedSession> session_of(const Metadata& metadata) {
 }
 
 void restore_session(const RememberedSession& session, Document& document) {
-  if (session.scene_hash != document.opened().file_hash) {
+  if (session.scene_hash != file_hash(session.scene_path)) {
     document.messages().warning(session.scene_path +
                                 " has changed since the picture was saved; it may look different.");
   }

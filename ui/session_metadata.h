@@ -9,13 +9,9 @@
 
 namespace guidelight {
 
-/// The words that travel with an exported picture: enough to render it again.
-Metadata describe_picture(const JobRecord& record, const Snapshot& picture);
-
-/// What such words say about the session that made the picture.
+/// What the metadata of an exported picture (describe_render) say about the session that made it.
 struct RememberedSession {
   std::string scene_path;
-  std::map<std::string, std::string> defines;
   std::string scene_hash;
   std::string integrator;
   std::map<std::string, std::string> parameters;
@@ -25,7 +21,7 @@ struct RememberedSession {
   Mat4 camera_to_world{1.0f};
 };
 
-/// Empty if the words are not of a picture that describe_picture described.
+/// Empty if the metadata are not those of an exported picture.
 std::optional<RememberedSession> session_of(const Metadata& metadata);
 
 /// Gives a document whose scene has just been opened the settings and the camera of a session.

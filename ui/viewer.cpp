@@ -338,7 +338,7 @@ void Viewer::open_session_of(const std::string& picture_path) {
       throw Error("{} carries no session: drop a picture that Guidelight saved, or a scene",
                   picture_path);
     }
-    loader_.load(to_restore_->scene_path, to_restore_->defines);
+    loader_.load(to_restore_->scene_path);
   } catch (const std::exception& error) {
     document_.messages().error(error.what());
   }

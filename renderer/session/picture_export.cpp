@@ -10,15 +10,6 @@ namespace guidelight {
 
 namespace {
 
-/// FNV-1a over the bytes of a file; 0 if it cannot be read.
-uint64_t file_hash(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return 0;
-  uint64_t hash = 0xcbf29ce484222325ull;
-  for (char byte; file.get(byte);) hash = (hash ^ static_cast<uint8_t>(byte)) * 0x100000001b3ull;
-  return hash;
-}
-
 std::string matrix_text(const Mat4& m) {
   std::string text;
   for (int row = 0; row < 4; ++row) {
@@ -38,8 +29,8 @@ Image crop(const Image& image, const RenderJob& job, const Snapshot& snapshot) {
   const int y1 = std::clamp(job.region->y1, y0, image.height());
   Image result(x1 - x0, y1 - y0, image.channels());
   if (result.empty()) {
-    throw Error("the render region lies outside the {}x{} picture: choose one inside", image.width(),
-                image.height());
+    throw Error("the render region lies outside the {}x{} picture: choose one inside",
+                image.width(), image.height());
   }
   for (int y = y0; y < y1; ++y) {
     std::copy_n(image.pixel(x0, y), static_cast<size_t>(result.width()) * image.channels(),
@@ -60,12 +51,19 @@ void require_picture(const Snapshot& snapshot) {
 
 }  // namespace
 
+std::string file_hash(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  uint64_t hash = file ? 0xcbf29ce484222325ull : 0;
+  for (char byte; file.get(byte);) hash = (hash ^ static_cast<uint8_t>(byte)) * 0x100000001b3ull;
+  return fmt::format("{:016x}", hash);
+}
+
 Metadata describe_render(const RenderJob& job, const Snapshot& snapshot) {
   const SceneDescription& description = job.scene->description();
   Metadata data;
   data["software"] = "Guidelight";
   data["scene"] = description.path;
-  data["scene_hash"] = fmt::format("{:016x}", file_hash(description.path));
+  data["scene_hash"] = file_hash(description.path);
   data["integrator"] = job.integrator;
   const auto settings = job.settings
                             ? job.settings->clone()
@@ -79,8 +77,8 @@ Metadata describe_render(const RenderJob& job, const Snapshot& snapshot) {
   data["camera_to_world"] = matrix_text(job.scene->camera().description().to_world);
   data["size"] = fmt::format("{}x{}", snapshot.full_width, snapshot.full_height);
   if (job.region) {
-    data["region"] = fmt::format("{},{},{},{}", job.region->x0, job.region->y0, job.region->x1,
-                                 job.region->y1);
+    data["region"] =
+        fmt::format("{},{},{},{}", job.region->x0, job.region->y0, job.region->x1, job.region->y1);
   }
   return data;
 }
