@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "renderer/error.h"
+#include "renderer/math/angle.h"
 #include "renderer/sampling/warp.h"
 
 namespace guidelight {
@@ -33,7 +34,7 @@ bool intersect_unit_quadric(Vec origin, Vec direction, Roots& roots) {
 }
 
 float angle_share(float x, float y) {
-  const float share = std::atan2(y, x) * (0.5f * kInvPi);
+  const float share = fast_atan2(y, x) * (0.5f * kInvPi);
   return share < 0 ? share + 1 : share;
 }
 
@@ -131,7 +132,7 @@ class Sphere final : public AnalyticShape {
   Parametrisation parametrise(Vec3 p) const override {
     const float r = std::sqrt(sqr(p.x) + sqr(p.y));
     const Vec2 around = r > 0 ? Vec2(p.x, p.y) / r : Vec2(1, 0);
-    return {Vec2(angle_share(p.x, p.y), std::atan2(r, p.z) * kInvPi), 2 * kPi * Vec3(-p.y, p.x, 0),
+    return {Vec2(angle_share(p.x, p.y), fast_atan2(r, p.z) * kInvPi), 2 * kPi * Vec3(-p.y, p.x, 0),
             kPi * Vec3(p.z * around.x, p.z * around.y, -r)};
   }
   Vec3 sample_local(Vec2 u) const override { return square_to_sphere(u); }

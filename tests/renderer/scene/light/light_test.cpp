@@ -378,7 +378,7 @@ TEST_P(Emission, DirectionsAreDistributedAsPdfSays) {
     return DrawnDirection{lamp_.shape ? frame.to_local(w) : w, sample->pdf_direction};
   };
   const auto density = [&](Vec3 w) { return light.pdf_emission(up, w).direction; };
-  if (!lamp_.shape) {
+  if (light.is_delta_position()) {
     expect_solid_angles(
         draw, [&](Vec3 w) { return density(w) > 0 ? 1 : 0; }, all_lights().size());
     return;
