@@ -33,8 +33,9 @@ class Filter {
 
   Sample sample(Vec2 u) const;
 
-  /// The other way round, for one axis: which pixel a contribution at raster coordinate x goes to. Pixel
-  /// i is chosen in proportion to |f(x - (i + 0.5))|, and the weight makes the expectation at i equal f.
+  /// The other way round, for one axis: which pixel a contribution at raster coordinate x goes to.
+  /// Pixel i is chosen in proportion to |f(x - (i + 0.5))|, and the weight makes the expectation at
+  /// i equal f.
   struct PixelChoice {
     int pixel;
     float weight;

@@ -7,16 +7,18 @@ namespace guidelight {
 enum class ToneCurve { Srgb, Gamma, Reinhard, Filmic, FalseColor };
 enum class ColorMap { Viridis, Turbo, Magma };
 
-/// From linear radiance to what a screen shows. One implementation serves the window and the PNG files.
+/// From linear radiance to what a screen shows. One implementation serves the window and the PNG
+/// files.
 struct DisplaySettings {
   float exposure = 0;  // [EV]: values are multiplied by 2^exposure first
   ToneCurve curve = ToneCurve::Srgb;
-  float gamma = 2.2f;             // ToneCurve::Gamma
-  float reinhard_white = 100;     // ToneCurve::Reinhard: smallest luminance shown as white (Reinhard et al. 2002)
+  float gamma = 2.2f;  // ToneCurve::Gamma
+  float reinhard_white =
+      100;  // ToneCurve::Reinhard: smallest luminance shown as white (Reinhard et al. 2002)
   ColorMap color_map = ColorMap::Viridis;
   float false_color_min = 1e-2f;  // ToneCurve::FalseColor, of the luminance, log scale
   float false_color_max = 1e1f;
-  bool show_clipped = false;      // marks pixels above white in red, NaN and infinities in magenta
+  bool show_clipped = false;  // marks pixels above white in red, NaN and infinities in magenta
 
   bool operator==(const DisplaySettings&) const = default;
 };

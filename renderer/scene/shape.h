@@ -9,11 +9,11 @@ namespace guidelight {
 
 /// What an intersection query says about a hit.
 struct Hit {
-  float t = kInfinity;               // in units of the ray's direction; infinity is a miss
-  uint32_t shape = kInvalidIndex;    // index in Scene::shapes()
-  uint32_t primitive = 0;            // triangle of a mesh
-  uint32_t instance = kInvalidIndex; // index in Scene::instances(), if hit through one
-  Vec2 barycentric{0};               // of triangle vertices 1 and 2; unused by analytic shapes
+  float t = kInfinity;                // in units of the ray's direction; infinity is a miss
+  uint32_t shape = kInvalidIndex;     // index in Scene::shapes()
+  uint32_t primitive = 0;             // triangle of a mesh
+  uint32_t instance = kInvalidIndex;  // index in Scene::instances(), if hit through one
+  Vec2 barycentric{0};                // of triangle vertices 1 and 2; unused by analytic shapes
 
   bool valid() const { return shape != kInvalidIndex; }
 };
@@ -23,7 +23,9 @@ struct Bounds {
   Vec3 upper{-kInfinity};
 
   void extend(Vec3 p) { lower = glm::min(lower, p), upper = glm::max(upper, p); }
-  void extend(const Bounds& b) { lower = glm::min(lower, b.lower), upper = glm::max(upper, b.upper); }
+  void extend(const Bounds& b) {
+    lower = glm::min(lower, b.lower), upper = glm::max(upper, b.upper);
+  }
   bool empty() const { return !(lower.x <= upper.x); }
   Vec3 center() const { return 0.5f * (lower + upper); }
   float radius() const { return 0.5f * glm::length(upper - lower); }
@@ -44,7 +46,8 @@ class Shape {
   /// For analytic shapes the position on the ray is projected onto the surface.
   virtual void fill(const Ray& ray, const Hit& hit, SurfacePoint& point) const = 0;
 
-  /// Uniform in area up to the distortion of an analytic shape's own transform, which pdf_area carries.
+  /// Uniform in area up to the distortion of an analytic shape's own transform, which pdf_area
+  /// carries.
   virtual ShapeSample sample_area(Vec2 u) const = 0;
   /// Density of sample_area at a point of the surface, per unit area.
   virtual float pdf_area(const SurfacePoint& point) const = 0;
@@ -65,8 +68,10 @@ class Shape {
   virtual size_t bytes() const { return 0; }  // of memory, approximate
 };
 
-/// Builds the run-time form of a mesh, sphere, disk or cylinder with the extra transform `parent` applied
-/// after its own. Throws Error for geometry that cannot be used (NaN, index out of range, singular).
-std::unique_ptr<Shape> make_shape(const ShapeDescription& description, const Mat4& parent = Mat4(1));
+/// Builds the run-time form of a mesh, sphere, disk or cylinder with the extra transform `parent`
+/// applied after its own. Throws Error for geometry that cannot be used (NaN, index out of range,
+/// singular).
+std::unique_ptr<Shape> make_shape(const ShapeDescription& description,
+                                  const Mat4& parent = Mat4(1));
 
 }  // namespace guidelight
