@@ -69,7 +69,8 @@ struct DiffuseBsdf {
   ColorInput reflectance{Color(0.5f)};
 };
 
-/// Oren–Nayar; alpha is the standard deviation of the facet slopes' angle [rad].
+/// Oren–Nayar; alpha is a roughness as of Beckmann's facets, √2 times the standard deviation of their tilt
+/// [rad].
 struct RoughDiffuseBsdf {
   ColorInput reflectance{Color(0.5f)};
   FloatInput alpha{0.2f};

@@ -11,8 +11,8 @@ namespace {
 /// standard deviation σ, with one interreflection.
 class RoughDiffuse final : public Bsdf {
  public:
-  RoughDiffuse(ColorTexture reflectance, FloatTexture sigma)
-      : reflectance_(std::move(reflectance)), sigma_(std::move(sigma)) {}
+  RoughDiffuse(ColorTexture reflectance, FloatTexture alpha)
+      : reflectance_(std::move(reflectance)), alpha_(std::move(alpha)) {}
 
   Color eval(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
     if (wo.z <= 0 || wi.z <= 0) return Color(0.0f);
@@ -21,7 +21,7 @@ class RoughDiffuse final : public Bsdf {
     const float alpha = std::max(theta_i, theta_o);
     const float beta = std::min(theta_i, theta_o);
     const float cos_phi = cos_azimuth(wo, wi);
-    const float sigma2 = sqr(sigma_.eval(point));
+    const float sigma2 = 0.5f * sqr(alpha_.eval(point));  // of a Beckmann surface of roughness α
 
     const float c1 = 1 - 0.5f * sigma2 / (sigma2 + 0.33f);
     const float backward = cos_phi >= 0 ? 0.0f : cube(2 * beta * kInvPi);
@@ -60,7 +60,7 @@ class RoughDiffuse final : public Bsdf {
   }
 
   ColorTexture reflectance_;
-  FloatTexture sigma_;
+  FloatTexture alpha_;
 };
 
 }  // namespace
