@@ -23,8 +23,17 @@ def default_scene():
     cove_path = [add(p, (0, top, 0)) for p in reversed(skirting_path)]
     cove = arc((0.09, 0.09), 0.09, 270, 180)
 
+    # The mirror wall stands in a slim frame with posts: without edges nobody would see where it is.
+    mirror_frame = Mesh()
+    width, depth = 0.032, 0.016
+    posts = [(0, top, z, z + width) for z in (back, -0.15, 1.1, 2.35, front - width)]
+    rails = [(y, y + width, back, front) for y in (0, top - width)]
+    for y0, y1, z0, z1 in posts + rails:
+        bar = rounded_box((depth, y1 - y0, z1 - z0), 0.004, 2)
+        mirror_frame.append(bar, (right - depth / 2, (y0 + y1) / 2, (z0 + z1) / 2))
+
     # The light is a rectangle at the bottom of a shallow recess in the ceiling, behind a slim frame.
-    x0, x1, z0, z1, depth, width = -0.19, 0.19, -0.42, -0.04, 0.03, 0.035
+    x0, x1, z0, z1, depth, width = -0.35, 0.35, -0.6, 0.1, 0.03, 0.035
     frame_path = [(x1, top, z0), (x0, top, z0), (x0, top, z1), (x1, top, z1)]
     frame = ([(width, 0)] + arc((width - 0.008, 0.004), 0.008, 0, 90)
              + arc((0.008, 0.004), 0.008, 90, 180) + [(0, -depth)])
@@ -37,6 +46,7 @@ def default_scene():
         "skirting.obj": moulding(skirting_path, UP, skirting).obj("skirting board"),
         "cove.obj": moulding(cove_path, DOWN, cove).obj("cove between walls and ceiling"),
         "light-frame.obj": moulding(frame_path, DOWN, frame, closed=True).obj("frame of the light"),
+        "mirror-frame.obj": mirror_frame.obj("frame of the mirror wall"),
         "ceiling.obj": ceiling.obj("ceiling with a hole for the light"),
         "plinth.obj": rounded_box((0.9, 0.32, 0.9), 0.02).obj("plinth of the mirror ball"),
     }

@@ -63,6 +63,12 @@ class Mesh:
         self.triangle(corners[0], corners[1], corners[2])
         self.triangle(corners[0], corners[2], corners[3])
 
+    def append(self, other, offset):
+        """Adds a copy of another mesh, moved by `offset`."""
+        indices = [self.vertex(add(p, offset), n, uv) for p, n, uv in other.vertices]
+        for triangle in other.triangles:
+            self.triangle(*(indices[i] for i in triangle))
+
     def obj(self, comment):
         lines = [f"# {comment}"]
         lines += ["v {:g} {:g} {:g}".format(*p) for p, _, _ in self.vertices]
