@@ -1,5 +1,5 @@
-// How fast the path tracer is, and how fast it could be: the same rays, batch by batch, replayed through
-// the accelerator alone.
+// How fast the path tracer is, and how fast it could be: the same rays, batch by batch, replayed
+// through the accelerator alone.
 //
 //   path_tracer_bench [SCENE]      default: scenes/mirror-glass-box at 512x512, path depth 12
 

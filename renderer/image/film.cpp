@@ -19,7 +19,8 @@ int layer_channels(Layer layer) { return layer >= Layer::Depth ? 1 : 3; }
 Film::Film(int width, int height, const FilterSettings& filter)
     : width_(width), height_(height), filter_(filter) {
   if (width <= 0 || height <= 0) {
-    throw Error("a film of {}x{} pixels has nothing to show: give it at least one pixel", width, height);
+    throw Error("a film of {}x{} pixels has nothing to show: give it at least one pixel", width,
+                height);
   }
   pixels_.resize(static_cast<size_t>(width) * height);
 }
@@ -130,13 +131,27 @@ void Film::develop_pixel(Layer layer, size_t i, float* out) const {
       }
       break;
     }
-    case Layer::Direct: store(out, pixel.direct, scale); break;
-    case Layer::Indirect: store(out, pixel.indirect, scale); break;
-    case Layer::Albedo: store(out, pixel.albedo, scale); break;
-    case Layer::Normal: store(out, pixel.normal, scale); break;
-    case Layer::Depth: out[0] = pixel.hits ? static_cast<float>(pixel.depth / pixel.hits) : 0; break;
-    case Layer::SampleCount: out[0] = static_cast<float>(pixel.samples); break;
-    case Layer::Variance: out[0] = static_cast<float>(mean_variance(pixel)); break;
+    case Layer::Direct:
+      store(out, pixel.direct, scale);
+      break;
+    case Layer::Indirect:
+      store(out, pixel.indirect, scale);
+      break;
+    case Layer::Albedo:
+      store(out, pixel.albedo, scale);
+      break;
+    case Layer::Normal:
+      store(out, pixel.normal, scale);
+      break;
+    case Layer::Depth:
+      out[0] = pixel.hits ? static_cast<float>(pixel.depth / pixel.hits) : 0;
+      break;
+    case Layer::SampleCount:
+      out[0] = static_cast<float>(pixel.samples);
+      break;
+    case Layer::Variance:
+      out[0] = static_cast<float>(mean_variance(pixel));
+      break;
   }
 }
 
@@ -155,7 +170,7 @@ void Film::develop_rows(Layer layer, int y0, int y1, Image& out) const {
 
 namespace {
 
-constexpr size_t kPixelState = 17;   // numbers per pixel, as visit_state lists them
+constexpr size_t kPixelState = 17;  // numbers per pixel, as visit_state lists them
 constexpr size_t kSplatState = 3;
 
 }  // namespace
@@ -186,8 +201,8 @@ std::vector<double> Film::state() const {
 void Film::restore(std::span<const double> state) {
   const size_t pixels = 1 + kPixelState * pixels_.size();
   if (state.size() != pixels && state.size() != pixels + kSplatState * pixels_.size()) {
-    throw Error("the saved film does not have {}x{} pixels: resume at the size it was saved at", width_,
-                height_);
+    throw Error("the saved film does not have {}x{} pixels: resume at the size it was saved at",
+                width_, height_);
   }
   const double* next = state.data();
   splat_count_ = static_cast<uint64_t>(*next++);
@@ -212,8 +227,8 @@ uint64_t Film::rejected() const {
 }
 
 double Film::estimated_relative_error() const {
-  // Black pixels have no relative error; dark ones are kept from dominating by a floor at 1 % of the
-  // picture's mean.
+  // Black pixels have no relative error; dark ones are kept from dominating by a floor at 1 % of
+  // the picture's mean.
   double picture_mean = 0;
   size_t covered = 0;
   for (const Pixel& pixel : pixels_) {

@@ -5,21 +5,21 @@
 #include <span>
 #include <vector>
 
-#include "renderer/image/image.h"
 #include "renderer/image/filter.h"
+#include "renderer/image/image.h"
 
 namespace guidelight {
 
 /// The pictures a film develops. Colour layers have 3 channels, the others 1.
 enum class Layer {
   Beauty,
-  Direct,       // emitters seen directly and light after one scattering
-  Indirect,     // the rest; beauty = direct + indirect
+  Direct,    // emitters seen directly and light after one scattering
+  Indirect,  // the rest; beauty = direct + indirect
   Albedo,
-  Normal,       // world space, -1..1, of the first hit
-  Depth,        // distance from the camera along the ray [scene units], mean over samples that hit
+  Normal,  // world space, -1..1, of the first hit
+  Depth,   // distance from the camera along the ray [scene units], mean over samples that hit
   SampleCount,
-  Variance,     // of the pixel mean, luminance of beauty
+  Variance,  // of the pixel mean, luminance of beauty
 };
 inline constexpr int kLayerCount = 8;
 inline constexpr std::array<Layer, kLayerCount> kAllLayers = {
@@ -40,8 +40,8 @@ struct FilmSample {
   float filter_weight = 1;
 };
 
-/// Sums of samples per pixel in double precision, and of splats from light paths. Different pixels may be
-/// written by different threads at once; splats may be added from anywhere.
+/// Sums of samples per pixel in double precision, and of splats from light paths. Different pixels
+/// may be written by different threads at once; splats may be added from anywhere.
 class Film {
  public:
   Film(int width, int height, const FilterSettings& filter = {});
@@ -55,8 +55,8 @@ class Film {
 
   /// Must be called before the first splat, by one thread.
   void prepare_splats();
-  /// Adds a light path's contribution to the picture at a raster position; u chooses the offset of the
-  /// pixel filter. Thread safe. A film develops W·H/splat_count times the sum.
+  /// Adds a light path's contribution to the picture at a raster position; u chooses the offset of
+  /// the pixel filter. Thread safe. A film develops W·H/splat_count times the sum.
   void add_splat(Vec2 raster, Color contribution, Vec2 u);
   void add_splat_count(uint64_t light_paths) { splat_count_ += light_paths; }
 
@@ -68,14 +68,15 @@ class Film {
   /// Rows [y0,y1) only, into an image of the film's size and the layer's channels.
   void develop_rows(Layer layer, int y0, int y1, Image& out) const;
 
-  /// Everything the film has summed, for checkpoints; a film of the same size takes it back. restore()
-  /// throws Error if the length does not fit.
+  /// Everything the film has summed, for checkpoints; a film of the same size takes it back.
+  /// restore() throws Error if the length does not fit.
   std::vector<double> state() const;
   void restore(std::span<const double> state);
 
   uint64_t total_samples() const;
   uint64_t rejected() const;
-  /// Mean over the picture of each pixel's standard error over its mean (luminance): how noisy it is.
+  /// Mean over the picture of each pixel's standard error over its mean (luminance): how noisy it
+  /// is.
   double estimated_relative_error() const;
 
  private:

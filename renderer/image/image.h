@@ -23,9 +23,7 @@ class Image {
   bool empty() const { return data_.empty(); }
   size_t pixel_count() const { return static_cast<size_t>(width_) * height_; }
 
-  float* pixel(int x, int y) {
-    return &data_[(static_cast<size_t>(y) * width_ + x) * channels_];
-  }
+  float* pixel(int x, int y) { return &data_[(static_cast<size_t>(y) * width_ + x) * channels_]; }
   const float* pixel(int x, int y) const {
     return &data_[(static_cast<size_t>(y) * width_ + x) * channels_];
   }

@@ -23,17 +23,18 @@ struct PixelRegion {
 /// What a pass needs besides the scene.
 struct PassContext {
   uint64_t seed = 0;
-  Parallel* parallel = nullptr;          // runs the loops, and says when to stop
-  std::optional<PixelRegion> region;     // only these pixels are rendered
+  Parallel* parallel = nullptr;       // runs the loops, and says when to stop
+  std::optional<PixelRegion> region;  // only these pixels are rendered
 };
 
-/// An algorithm that renders a scene progressively. It is constructed from a scene and its own settings.
+/// An algorithm that renders a scene progressively. It is constructed from a scene and its own
+/// settings.
 class Integrator {
  public:
   virtual ~Integrator() = default;
 
-  /// Adds pass `pass` to the film: replayable, random numbers depend only on (seed, pass, path index).
-  /// Throws Stopped if the loops were told to stop; the film then holds a part of the pass.
+  /// Adds pass `pass` to the film: replayable, random numbers depend only on (seed, pass, path
+  /// index). Throws Stopped if the loops were told to stop; the film then holds a part of the pass.
   virtual void render_pass(uint32_t pass, Film& film, const PassContext& context) = 0;
 };
 

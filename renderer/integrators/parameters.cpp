@@ -1,10 +1,10 @@
 #include "renderer/integrators/parameters.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-
-#include <fmt/ranges.h>
 
 #include "renderer/error.h"
 

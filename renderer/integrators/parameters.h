@@ -7,8 +7,9 @@
 
 namespace guidelight {
 
-/// One setting of an integrator, described once; the panel in the viewer, `--set key=value`, the metadata
-/// of exported files and docs/integrators.md all come from it. It points into the settings it describes.
+/// One setting of an integrator, described once; the panel in the viewer, `--set key=value`, the
+/// metadata of exported files and docs/integrators.md all come from it. It points into the settings
+/// it describes.
 struct Parameter {
   struct Choice {
     int* value;

@@ -30,10 +30,10 @@ namespace {
 struct PathState {
   Rng rng{0, 0, 0};
   Color throughput{1.0f};
-  float eta_squared = 1;   // product of squared IOR ratios that throughput carries
-  float pdf = 0;           // solid-angle density of the last direction
-  bool specular = true;    // the last direction could not have been found by next-event estimation
-  Vec3 previous{0};        // the last vertex
+  float eta_squared = 1;  // product of squared IOR ratios that throughput carries
+  float pdf = 0;          // solid-angle density of the last direction
+  bool specular = true;   // the last direction could not have been found by next-event estimation
+  Vec3 previous{0};       // the last vertex
   const Medium* medium = nullptr;
   FilmSample sample;
 };
@@ -58,7 +58,8 @@ const Medium* medium_beyond(const SurfacePoint& point, Vec3 direction, const Med
   return glm::dot(point.geometric_normal, direction) < 0 ? point.interior : point.exterior;
 }
 
-/// All paths of one tile, advanced together segment by segment so that their rays are traced in batches.
+/// All paths of one tile, advanced together segment by segment so that their rays are traced in
+/// batches.
 class TilePaths {
  public:
   TilePaths(const Scene& scene, const PathTracerSettings& settings)
@@ -113,8 +114,8 @@ class TilePaths {
     active_count_ = survivors;
   }
 
-  /// Adds emission at the end of `ray`, queues a shadow ray, and replaces `ray` by the next segment.
-  /// False if the path ends here.
+  /// Adds emission at the end of `ray`, queues a shadow ray, and replaces `ray` by the next
+  /// segment. False if the path ends here.
   bool extend(uint32_t index, int depth, const Hit& hit, Ray& ray) {
     PathState& path = paths_[index];
     if (!hit.valid()) {
@@ -146,10 +147,10 @@ class TilePaths {
     for (const Light* light : scene_.infinite_lights()) {
       const Color radiance = light->radiance_from(direction);
       if (is_black(radiance)) continue;
-      const float weight =
-          path.specular ? 1.0f
-                        : power_heuristic(path.pdf, light->pdf_direct_from(direction) *
-                                                        scene_.light_probability(*light));
+      const float weight = path.specular
+                               ? 1.0f
+                               : power_heuristic(path.pdf, light->pdf_direct_from(direction) *
+                                                               scene_.light_probability(*light));
       add(path, depth, path.throughput * radiance * weight);
     }
   }
@@ -183,9 +184,8 @@ class TilePaths {
       contribution *= medium->transmittance(sample->distance);
     }
     shadow_rays_[light_count_] = choice->light->is_infinite() ? point.spawn_ray(sample->wi)
-                                 : choice->light->is_delta()
-                                     ? point.spawn_ray_to(sample->position)
-                                     : point.spawn_ray_to(sample->point);
+                                 : choice->light->is_delta()  ? point.spawn_ray_to(sample->position)
+                                                              : point.spawn_ray_to(sample->point);
     pending_[light_count_++] = {index, depth + 1 <= 2, contribution};
   }
 
@@ -206,8 +206,8 @@ class TilePaths {
     path.throughput *= sample->weight;
     path.eta_squared *= sqr(sample->eta);
     if (depth >= settings_.russian_roulette_depth) {
-      // Radiance that was compressed by entering glass is decompressed on leaving it: it is no reason to
-      // end the path, so the factor is taken out.
+      // Radiance that was compressed by entering glass is decompressed on leaving it: it is no
+      // reason to end the path, so the factor is taken out.
       const float survival = std::min(max_component(path.throughput) * path.eta_squared, 0.95f);
       if (path.rng.next_float() >= survival) return false;
       path.throughput /= survival;

@@ -6,8 +6,9 @@
 
 namespace guidelight {
 
-/// Side of the square tiles in which pictures are rendered, and their pixels. A tile is one piece of
-/// parallel work: small enough to stop within milliseconds, large enough to trace its rays in batches.
+/// Side of the square tiles in which pictures are rendered, and their pixels. A tile is one piece
+/// of parallel work: small enough to stop within milliseconds, large enough to trace its rays in
+/// batches.
 inline constexpr int kTileSize = 16;
 inline constexpr size_t kTilePixels = size_t{kTileSize} * kTileSize;
 

@@ -22,8 +22,8 @@ struct Frame {
             Vec3(b, sign + sqr(normal.y) * a, -normal.y), normal};
   }
 
-  /// Basis around a unit normal whose `s` lies in the plane of `tangent` and the normal. Falls back to
-  /// any basis where the tangent is degenerate or parallel to the normal.
+  /// Basis around a unit normal whose `s` lies in the plane of `tangent` and the normal. Falls back
+  /// to any basis where the tangent is degenerate or parallel to the normal.
   static Frame from_normal_and_tangent(Vec3 normal, Vec3 tangent) {
     const Vec3 projected = tangent - normal * glm::dot(normal, tangent);
     const float squared = length_squared(projected);

@@ -13,7 +13,8 @@ using Vec4 = glm::vec4;
 using Mat3 = glm::mat3;
 using Mat4 = glm::mat4;
 
-/// Linear RGB with the sRGB (Rec. 709) primaries: radiance [W/(m² sr)], reflectance [1] or a weight.
+/// Linear RGB with the sRGB (Rec. 709) primaries: radiance [W/(m² sr)], reflectance [1] or a
+/// weight.
 using Color = glm::vec3;
 
 inline constexpr float kPi = std::numbers::pi_v<float>;

@@ -58,7 +58,8 @@ class DenormalsFlushed {
   unsigned saved_;
 };
 
-/// Lowers the priority of every thread that enters the arena. On Linux a nice value belongs to a thread.
+/// Lowers the priority of every thread that enters the arena. On Linux a nice value belongs to a
+/// thread.
 class BackgroundPriority : public tbb::task_scheduler_observer {
  public:
   explicit BackgroundPriority(tbb::task_arena& arena) : tbb::task_scheduler_observer(arena) {

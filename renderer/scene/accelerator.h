@@ -7,8 +7,8 @@
 
 namespace guidelight {
 
-/// Ray queries over shapes and instances of groups of shapes. The only user of Embree. Built once, then
-/// immutable; it keeps references to the shapes it was given.
+/// Ray queries over shapes and instances of groups of shapes. The only user of Embree. Built once,
+/// then immutable; it keeps references to the shapes it was given.
 class Accelerator {
  public:
   /// Shape ids are below `shape_count`.
@@ -17,8 +17,8 @@ class Accelerator {
   Accelerator(const Accelerator&) = delete;
   Accelerator& operator=(const Accelerator&) = delete;
 
-  /// `id` is what Hit::shape will say. Shapes with group kNone stand in the scene itself, others are seen
-  /// only through instances of their group.
+  /// `id` is what Hit::shape will say. Shapes with group kNone stand in the scene itself, others
+  /// are seen only through instances of their group.
   void add_shape(const Shape& shape, uint32_t id, int group = kNone);
   /// `id` is what Hit::instance will say.
   void add_instance(int group, const Mat4& to_world, uint32_t id);

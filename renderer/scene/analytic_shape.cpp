@@ -252,11 +252,15 @@ void AnalyticShape::fill_local(Vec3 local, SurfacePoint& point) const {
       glm::length(scaled_normal);  // local distance per world distance along the normal
   point.geometric_normal = (normal_sign_ / stretch) * scaled_normal;
 
-  const Parametrisation parametrisation = parametrise(local);
-  point.uv = parametrisation.uv;
-  point.dpdu = linear_.matrix * parametrisation.dpdu;
-  point.dpdv = linear_.matrix * parametrisation.dpdv;
-  point.frame = Frame::from_normal_and_tangent(point.geometric_normal, point.dpdu);
+  if (is_parametrised) {
+    const Parametrisation parametrisation = parametrise(local);
+    point.uv = parametrisation.uv;
+    point.dpdu = linear_.matrix * parametrisation.dpdu;
+    point.dpdv = linear_.matrix * parametrisation.dpdv;
+    point.frame = Frame::from_normal_and_tangent(point.geometric_normal, point.dpdu);
+  } else {
+    point.frame = Frame::from_normal(point.geometric_normal);
+  }
 
   // The world position is rounded; then the intersection that starts there rounds in local space,
   // where the matrix product and the equation each lose digits of the terms they sum.

@@ -11,9 +11,9 @@
 #include "renderer/image/image.h"
 #include "renderer/math/vector.h"
 
-/// What a scene file says, as plain editable data. Readers (renderer/io) produce it, Scene is built from
-/// it, and editors change a copy. Lists refer to each other by index; a texture or BSDF refers only to
-/// entries before itself, so cycles cannot be written.
+/// What a scene file says, as plain editable data. Readers (renderer/io) produce it, Scene is built
+/// from it, and editors change a copy. Lists refer to each other by index; a texture or BSDF refers
+/// only to entries before itself, so cycles cannot be written.
 namespace guidelight {
 
 inline constexpr int kNone = -1;
@@ -21,7 +21,8 @@ inline constexpr int kNone = -1;
 // ---------------------------------------------------------------------------------------------------
 // Textures
 
-/// A colour that may vary over the surface: value × texture(uv), or just the value without a texture.
+/// A colour that may vary over the surface: value × texture(uv), or just the value without a
+/// texture.
 struct ColorInput {
   Color value{1.0f};
   int texture = kNone;
@@ -61,7 +62,8 @@ struct TextureDescription {
 };
 
 // ---------------------------------------------------------------------------------------------------
-// BSDFs. `int_ior` is on the side the normal points away from. Roughness α = 0 means perfectly smooth.
+// BSDFs. `int_ior` is on the side the normal points away from. Roughness α = 0 means perfectly
+// smooth.
 
 enum class Microfacet { Beckmann, Ggx };
 
@@ -69,8 +71,8 @@ struct DiffuseBsdf {
   ColorInput reflectance{Color(0.5f)};
 };
 
-/// Oren–Nayar; alpha is a roughness as of Beckmann's facets, √2 times the standard deviation of their tilt
-/// [rad].
+/// Oren–Nayar; alpha is a roughness as of Beckmann's facets, √2 times the standard deviation of
+/// their tilt [rad].
 struct RoughDiffuseBsdf {
   ColorInput reflectance{Color(0.5f)};
   FloatInput alpha{0.2f};
@@ -193,7 +195,8 @@ struct MediumDescription {
   Color sigma_a{0.0f};  // [1 / scene unit]
 };
 
-/// Triangle mesh in object space. `normals`, `uvs` and `colors` are empty or have one entry per position.
+/// Triangle mesh in object space. `normals`, `uvs` and `colors` are empty or have one entry per
+/// position.
 struct Mesh {
   std::vector<Vec3> positions;
   std::vector<Vec3> normals;  // unit length
@@ -205,8 +208,8 @@ struct Mesh {
 struct MeshShape {
   std::shared_ptr<const Mesh> mesh;
 };
-/// In the shape's own space: unit sphere; unit disk in z = 0, normal +z; side of the cylinder of radius 1
-/// around z from z = 0 to z = 1, normal outwards.
+/// In the shape's own space: unit sphere; unit disk in z = 0, normal +z; side of the cylinder of
+/// radius 1 around z from z = 0 to z = 1, normal outwards.
 struct SphereShape {};
 struct DiskShape {};
 struct CylinderShape {};
@@ -261,8 +264,8 @@ struct ConstantEmitter {
   Color radiance{1.0f};
 };
 
-/// Latitude-longitude image; its top row is +y, its left edge -z, its centre column +z and the middle of its
-/// left half +x (Mitsuba's convention).
+/// Latitude-longitude image; its top row is +y, its left edge -z, its centre column +z and the
+/// middle of its left half +x (Mitsuba's convention).
 struct EnvironmentEmitter {
   std::shared_ptr<const Image> image;
   Mat4 to_world{1.0f};
@@ -282,8 +285,8 @@ struct SunSkyEmitter {
   Mat4 to_world{1.0f};
 };
 
-/// Throws an image along local +z through a horizontal field of view [rad], +x to the left. A white diffuse
-/// screen at z = 1 shows the image's own values times scale, as radiance [W/(m² sr)].
+/// Throws an image along local +z through a horizontal field of view [rad], +x to the left. A white
+/// diffuse screen at z = 1 shows the image's own values times scale, as radiance [W/(m² sr)].
 struct ProjectorEmitter {
   Mat4 to_world{1.0f};
   std::shared_ptr<const Image> image;
@@ -305,9 +308,9 @@ struct EmitterDescription {
 enum class CameraModel { Perspective, ThinLens, Orthographic };
 enum class FovAxis { X, Y, Diagonal, Smaller, Larger };
 
-/// Looks along local +z with +y up and +x to the left of the picture (Mitsuba's convention). A mirrored
-/// to_world gives a mirrored picture. Orthographic cameras see x in [-1,1] of their local space, and of y as
-/// much as square pixels show.
+/// Looks along local +z with +y up and +x to the left of the picture (Mitsuba's convention). A
+/// mirrored to_world gives a mirrored picture. Orthographic cameras see x in [-1,1] of their local
+/// space, and of y as much as square pixels show.
 struct CameraDescription {
   CameraModel model = CameraModel::Perspective;
   Mat4 to_world{1.0f};
@@ -332,8 +335,8 @@ struct FilmDescription {
 
 /// What the file asks of the renderer; the viewer and the command line may override it.
 struct RenderHints {
-  std::string integrator;       // as the file names it; may be unknown to us
-  std::optional<int> max_depth; // segments; 1 sees only emitters, -1 is unlimited
+  std::string integrator;        // as the file names it; may be unknown to us
+  std::optional<int> max_depth;  // segments; 1 sees only emitters, -1 is unlimited
   std::optional<int> russian_roulette_depth;
   std::optional<int> samples_per_pixel;
 };

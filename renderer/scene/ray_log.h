@@ -8,7 +8,8 @@
 
 namespace guidelight {
 
-/// Rays as they were traced, batch by batch, so that a benchmark can replay them without a renderer.
+/// Rays as they were traced, batch by batch, so that a benchmark can replay them without a
+/// renderer.
 class RayLog {
  public:
   struct Batch {

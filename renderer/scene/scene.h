@@ -18,8 +18,8 @@ namespace guidelight {
 class Accelerator;
 class RayLog;
 
-/// The immutable run-time form of a SceneDescription: everything an integrator asks of a scene. Shared by
-/// shared_ptr<const Scene>; an edit makes a new one that shares what did not change.
+/// The immutable run-time form of a SceneDescription: everything an integrator asks of a scene.
+/// Shared by shared_ptr<const Scene>; an edit makes a new one that shares what did not change.
 class Scene {
  public:
   /// Throws Error for a description that cannot be rendered.
@@ -107,7 +107,7 @@ class Scene {
     std::vector<std::unique_ptr<Light>> lights;
     std::vector<const Light*> infinite_lights;
     DiscreteDistribution light_distribution;
-  
+
     Bounds bounds;
     std::unique_ptr<Accelerator> accelerator;
     ~Content();

@@ -3,6 +3,7 @@
 #include "renderer/error.h"
 #include "renderer/scene/accelerator.h"
 #include "renderer/scene/scene.h"
+#include "renderer/scene/surface_needs.h"
 
 namespace guidelight {
 
@@ -42,8 +43,8 @@ class Scene::Builder {
     for (size_t g = 0; g < description().groups.size(); ++g) {
       const ShapeGroup& group = description().groups[g];
       for (size_t i = 0; i < group.shapes.size(); ++i) {
-        // A light must know its place in the world, so emitting shapes of a group are not instanced but
-        // copied, below.
+        // A light must know its place in the world, so emitting shapes of a group are not instanced
+        // but copied, below.
         if (group.shapes[i].radiance) {
           emitters_of_group[static_cast<int>(g)].push_back(static_cast<uint32_t>(i));
         } else {
@@ -72,7 +73,10 @@ class Scene::Builder {
     const bool has_bsdf = shape.bsdf != kNone;
     binding.bsdf = has_bsdf ? content_->bsdfs.at(shape.bsdf) : default_bsdf_;
     binding.bsdf_name = has_bsdf ? description().bsdfs[shape.bsdf].name : "default grey";
-    binding.perturbs_normal = binding.bsdf->perturbs_normal();
+    const SurfaceNeeds needs = needs_of_bsdf(description(), shape.bsdf);
+    const bool light_is_textured = shape.radiance && shape.radiance->texture != kNone;
+    binding.shape->is_parametrised = needs.parametrisation || light_is_textured;
+    binding.perturbs_normal = needs.perturbed_normal;
     binding.is_medium_boundary = shape.is_medium_boundary;
     if (shape.interior != kNone) binding.interior = &content_->media.at(shape.interior);
     if (shape.exterior != kNone) binding.exterior = &content_->media.at(shape.exterior);
@@ -85,8 +89,9 @@ class Scene::Builder {
     instance.to_world = shape.to_world;
     instance.to_local = glm::inverse(shape.to_world);
     if (!is_finite(Vec3(instance.to_local[0])) || !is_finite(Vec3(instance.to_local[3]))) {
-      throw Error("line {}: the transform of instance '{}' is singular: scale every axis by more than 0",
-                  shape.line, shape.name);
+      throw Error(
+          "line {}: the transform of instance '{}' is singular: scale every axis by more than 0",
+          shape.line, shape.name);
     }
     for (int axis = 0; axis < 3; ++axis) {
       instance.scale = std::max(instance.scale, glm::length(Vec3(shape.to_world[axis])));

@@ -42,6 +42,10 @@ class Shape {
  public:
   virtual ~Shape() = default;
 
+  /// Whether points carry texture coordinates, derivatives and vertex colours. A scene switches it
+  /// off for shapes whose materials do not look at them, and hits get cheaper.
+  bool is_parametrised = true;
+
   /// Fills position, geometric normal, frame, uv, derivatives, vertex colour and offset of `point`.
   /// For analytic shapes the position on the ray is projected onto the surface.
   virtual void fill(const Ray& ray, const Hit& hit, SurfacePoint& point) const = 0;

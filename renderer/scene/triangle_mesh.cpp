@@ -102,13 +102,31 @@ void TriangleMesh::measure() {
   triangle_distribution_ = DiscreteDistribution(areas);
   area_ = static_cast<float>(triangle_distribution_.total());
   inverse_area_ = area_ > 0 ? 1 / area_ : 0.0f;
+  faces_.reserve(triangles().size());
+  for (const auto& triangle : triangles()) faces_.push_back(measure_face(triangle));
+}
+
+TriangleMesh::Face TriangleMesh::measure_face(const std::array<uint32_t, 3>& triangle) const {
+  const auto [a, b, c] = triangle;
+  const Vec3 p0 = positions_[a];
+  const Vec3 p1 = positions_[b];
+  const Vec3 p2 = positions_[c];
+  Vec3 normal = orientation_ * unit_or_zero(glm::cross(p1 - p0, p2 - p0));
+  if (normal == Vec3(0)) normal = {0, 0, 1};  // no area: any normal will do
+  // Rounding of the interpolated position and of the ray-triangle test that starts there: the first
+  // grows with the coordinates, the second with the distances to the vertices.
+  const Vec3 lower = glm::min(p0, glm::min(p1, p2));
+  const Vec3 upper = glm::max(p0, glm::max(p1, p2));
+  const float extent = max_component(upper - lower);
+  const float magnitude = max_component(glm::max(-lower, upper));
+  return {normal, kFloatEpsilon * (4 * extent + 8 * magnitude)};
 }
 
 size_t TriangleMesh::bytes() const {
   return sizeof(*this) + std::span(mesh_->triangles).size_bytes() +
          std::span(mesh_->uvs).size_bytes() + std::span(mesh_->colors).size_bytes() +
          std::span(positions_).size_bytes() + std::span(normals_).size_bytes() +
-         sizeof(float) * triangle_distribution_.size();
+         std::span(faces_).size_bytes() + sizeof(float) * triangle_distribution_.size();
 }
 
 void TriangleMesh::fill(const Ray&, const Hit& hit, SurfacePoint& point) const {
@@ -124,58 +142,56 @@ ShapeSample TriangleMesh::sample_area(Vec2 u) const {
 }
 
 void TriangleMesh::fill_triangle(uint32_t triangle, Vec2 barycentric, SurfacePoint& point) const {
-  const auto [a, b, c] = mesh_->triangles[triangle];
-  const Vec3 p0 = positions_[a];
-  const Vec3 p1 = positions_[b];
-  const Vec3 p2 = positions_[c];
-  const Vec3 edge1 = p1 - p0;
-  const Vec3 edge2 = p2 - p0;
+  const std::array<uint32_t, 3>& vertices = mesh_->triangles[triangle];
+  const auto [a, b, c] = vertices;
   const float b1 = barycentric.x;
   const float b2 = barycentric.y;
-  const float b0 = 1 - b1 - b2;
-
+  const Vec3 p0 = positions_[a];
   point.primitive = triangle;
-  point.position = p0 + b1 * edge1 + b2 * edge2;
-  Vec3 geometric_normal = orientation_ * unit_or_zero(glm::cross(edge1, edge2));
-  if (geometric_normal == Vec3(0)) geometric_normal = {0, 0, 1};  // no area: any normal will do
-  point.geometric_normal = geometric_normal;
+  point.position = p0 + b1 * (positions_[b] - p0) + b2 * (positions_[c] - p0);
+  point.geometric_normal = faces_[triangle].normal;
+  point.offset = faces_[triangle].offset;
 
-  // Rounding of the interpolated position and of the ray-triangle test that starts there: the first
-  // grows with the coordinates, the second with the distances to the vertices.
-  const Vec3 lower = glm::min(p0, glm::min(p1, p2));
-  const Vec3 upper = glm::max(p0, glm::max(p1, p2));
-  const float extent = max_component(upper - lower);
-  const float magnitude = max_component(glm::max(-lower, upper));
-  point.offset = kFloatEpsilon * (4 * extent + 8 * magnitude);
-
-  Vec3 shading_normal = geometric_normal;
+  Vec3 shading_normal = point.geometric_normal;
   if (!normals_.empty()) {
-    const Vec3 n = b0 * normals_[a] + b1 * normals_[b] + b2 * normals_[c];
+    const Vec3 n = (1 - b1 - b2) * normals_[a] + b1 * normals_[b] + b2 * normals_[c];
     const float squared = length_squared(n);
     if (squared > 1e-12f) shading_normal = n / std::sqrt(squared);
   }
-
-  if (!mesh_->colors.empty()) {
-    point.vertex_color = b0 * mesh_->colors[a] + b1 * mesh_->colors[b] + b2 * mesh_->colors[c];
-  }
-
-  point.uv = barycentric;
-  point.dpdu = point.dpdv = Vec3(0);
-  if (!mesh_->uvs.empty()) {
-    const Vec2 uv0 = mesh_->uvs[a];
-    const Vec2 duv1 = mesh_->uvs[b] - uv0;
-    const Vec2 duv2 = mesh_->uvs[c] - uv0;
-    point.uv = uv0 + b1 * duv1 + b2 * duv2;
-    const float determinant = duv1.x * duv2.y - duv1.y * duv2.x;
-    if (std::abs(determinant) > 1e-30f) {
-      const float inverse = 1 / determinant;
-      point.dpdu = (duv2.y * edge1 - duv1.y * edge2) * inverse;
-      point.dpdv = (duv1.x * edge2 - duv2.x * edge1) * inverse;
-    }
-    point.frame = Frame::from_normal_and_tangent(shading_normal, point.dpdu);
+  if (is_parametrised) {
+    parametrise(vertices, barycentric, shading_normal, point);
   } else {
     point.frame = Frame::from_normal(shading_normal);
   }
+}
+
+void TriangleMesh::parametrise(const std::array<uint32_t, 3>& triangle, Vec2 barycentric,
+                               Vec3 shading_normal, SurfacePoint& point) const {
+  const auto [a, b, c] = triangle;
+  const float b1 = barycentric.x;
+  const float b2 = barycentric.y;
+  if (!mesh_->colors.empty()) {
+    point.vertex_color =
+        (1 - b1 - b2) * mesh_->colors[a] + b1 * mesh_->colors[b] + b2 * mesh_->colors[c];
+  }
+  point.uv = barycentric;
+  point.dpdu = point.dpdv = Vec3(0);
+  if (mesh_->uvs.empty()) {
+    point.frame = Frame::from_normal(shading_normal);
+    return;
+  }
+  const Vec2 uv0 = mesh_->uvs[a];
+  const Vec2 duv1 = mesh_->uvs[b] - uv0;
+  const Vec2 duv2 = mesh_->uvs[c] - uv0;
+  point.uv = uv0 + b1 * duv1 + b2 * duv2;
+  const float determinant = duv1.x * duv2.y - duv1.y * duv2.x;
+  if (std::abs(determinant) > 1e-30f) {
+    const Vec3 edge1 = positions_[b] - positions_[a];
+    const Vec3 edge2 = positions_[c] - positions_[a];
+    point.dpdu = (duv2.y * edge1 - duv1.y * edge2) / determinant;
+    point.dpdv = (duv1.x * edge2 - duv2.x * edge1) / determinant;
+  }
+  point.frame = Frame::from_normal_and_tangent(shading_normal, point.dpdu);
 }
 
 }  // namespace guidelight

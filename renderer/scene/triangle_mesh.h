@@ -40,7 +40,17 @@ class TriangleMesh final : public Shape {
   void measure();
   void fill_triangle(uint32_t triangle, Vec2 barycentric, SurfacePoint& point) const;
 
+  /// What every hit of a triangle needs.
+  struct Face {
+    Vec3 normal;   // unit, outside
+    float offset;  // SurfacePoint::offset
+  };
+  Face measure_face(const std::array<uint32_t, 3>& triangle) const;
+  void parametrise(const std::array<uint32_t, 3>& triangle, Vec2 barycentric, Vec3 shading_normal,
+                   SurfacePoint& point) const;
+
   std::shared_ptr<const Mesh> mesh_;
+  std::vector<Face> faces_;
   std::vector<Vec3> positions_;  // and kPadding unused entries
   std::vector<Vec3> normals_;    // world space; zero where the file's normal is unusable
   float orientation_ = 1;        // -1 if the winding in world space runs the other way round

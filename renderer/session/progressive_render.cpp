@@ -45,7 +45,8 @@ class ProgressiveRender {
       } catch (const Stopped&) {
         if (observer_.wants_unfinished()) {
           show(*film, SessionState::Idle);
-          // The part of the pass that is in the film must not be rendered again with the same numbers.
+          // The part of the pass that is in the film must not be rendered again with the same
+          // numbers.
           save(film, pass + 1);
         }
         throw;
@@ -112,7 +113,8 @@ class ProgressiveRender {
 
   bool publishing_is_due() const {
     const double silence = since_published_.seconds();
-    return silence * kPublishShare >= publish_cost_ || silence >= longest_silence(observer_.seconds());
+    return silence * kPublishShare >= publish_cost_ ||
+           silence >= longest_silence(observer_.seconds());
   }
 
   void show(const Film& film, SessionState state) {
@@ -128,13 +130,14 @@ class ProgressiveRender {
     since_published_.restart();
   }
 
-  /// All layers, in bands of rows over all threads. Not through parallel_, whose loops end when the job
-  /// is to stop.
+  /// All layers, in bands of rows over all threads. Not through parallel_, whose loops end when the
+  /// job is to stop.
   std::shared_ptr<const Snapshot::Layers> develop(const Film& film) const {
     constexpr int kBand = 64;  // rows
     auto layers = std::make_shared<Snapshot::Layers>();
     for (const Layer layer : kAllLayers) {
-      (*layers)[static_cast<size_t>(layer)] = Image(film.width(), film.height(), layer_channels(layer));
+      (*layers)[static_cast<size_t>(layer)] =
+          Image(film.width(), film.height(), layer_channels(layer));
     }
     Parallel(job_.threads, nullptr, job_.priority)
         .for_each((film.height() + kBand - 1) / kBand, [&](size_t band) {

@@ -15,9 +15,9 @@ class RenderObserver {
   virtual void publish(Snapshot snapshot) = 0;
 };
 
-/// Renders one job pass after pass on the calling thread, until a target is reached or `control` asks to
-/// stop (then Stopped is thrown). Snapshots are published after coarse pictures, after the first pass, and
-/// then so that publishing takes a small share of the time.
+/// Renders one job pass after pass on the calling thread, until a target is reached or `control`
+/// asks to stop (then Stopped is thrown). Snapshots are published after coarse pictures, after the
+/// first pass, and then so that publishing takes a small share of the time.
 void render_progressively(const RenderJob& job, WorkControl& control, RenderObserver& observer);
 
 }  // namespace guidelight

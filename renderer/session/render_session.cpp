@@ -9,8 +9,8 @@
 
 namespace guidelight {
 
-/// Everything below is guarded by one mutex that is only ever held for a moment. The render thread holds
-/// no lock while it renders.
+/// Everything below is guarded by one mutex that is only ever held for a moment. The render thread
+/// holds no lock while it renders.
 class RenderSession::Impl : private RenderObserver {
  public:
   explicit Impl(std::function<void()> published)
@@ -125,8 +125,8 @@ class RenderSession::Impl : private RenderObserver {
     changed_.notify_all();
   }
 
-  /// A new job shows its first picture before it rests, or a person who moves the camera while paused
-  /// would see nothing.
+  /// A new job shows its first picture before it rests, or a person who moves the camera while
+  /// paused would see nothing.
   void apply_pause() {
     if (!control_) return;
     const bool rest = paused_ && picture_shown_;
@@ -144,10 +144,10 @@ class RenderSession::Impl : private RenderObserver {
   mutable std::condition_variable changed_;
   bool quit_ = false;
   bool paused_ = false;
-  bool picture_shown_ = false;             // of the current job, at full size
-  std::optional<RenderJob> next_;          // waits for the thread
-  std::unique_ptr<WorkControl> control_;   // of the current job; null between jobs
-  uint64_t last_job_ = 0;                  // number given out by start()
+  bool picture_shown_ = false;            // of the current job, at full size
+  std::optional<RenderJob> next_;         // waits for the thread
+  std::unique_ptr<WorkControl> control_;  // of the current job; null between jobs
+  uint64_t last_job_ = 0;                 // number given out by start()
   uint64_t current_job_ = 0;
   uint64_t generation_ = 0;
   Stopwatch watch_;

@@ -38,27 +38,29 @@ struct RenderJob {
   bool coarse_first = false;
   /// Goes on from here instead of from nothing; the film must have the scene's size.
   std::optional<RenderProgress> resume_from;
-  /// Called on the render thread every `save_interval` seconds, and at the end, to save the progress.
-  /// An exception it throws ends the job as failed.
+  /// Called on the render thread every `save_interval` seconds, and at the end, to save the
+  /// progress. An exception it throws ends the job as failed.
   std::function<void(const RenderProgress&)> save;
   double save_interval = 60;
 };
 
-/// Renders in a thread of its own, at a priority below that of the caller's. All functions may be called
-/// from any thread and return at once; commands are carried out in order. The destructor stops and joins.
+/// Renders in a thread of its own, at a priority below that of the caller's. All functions may be
+/// called from any thread and return at once; commands are carried out in order. The destructor
+/// stops and joins.
 class RenderSession {
  public:
-  /// `published`, if given, is called from the render thread after each new snapshot, for instance to
-  /// wake an event loop.
+  /// `published`, if given, is called from the render thread after each new snapshot, for instance
+  /// to wake an event loop.
   explicit RenderSession(std::function<void()> published = {});
   ~RenderSession();
   RenderSession(const RenderSession&) = delete;
   RenderSession& operator=(const RenderSession&) = delete;
 
-  /// Gives up what is being rendered and starts this. Returns the job number its snapshots will carry.
+  /// Gives up what is being rendered and starts this. Returns the job number its snapshots will
+  /// carry.
   uint64_t start(RenderJob job);
-  /// Pauses between pieces of work; the pass goes on where it was when resumed. A job that is started
-  /// while paused waits, after its first picture, until it is resumed.
+  /// Pauses between pieces of work; the pass goes on where it was when resumed. A job that is
+  /// started while paused waits, after its first picture, until it is resumed.
   void pause();
   void resume();
   /// Gives up the pass that is being rendered; what was rendered is published.
@@ -69,7 +71,6 @@ class RenderSession {
 
   /// Waits until the job is finished, failed or stopped. For programs without an event loop.
   void wait() const;
-
 
  private:
   class Impl;

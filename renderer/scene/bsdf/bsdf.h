@@ -81,8 +81,6 @@ class Bsdf {
 
   /// Normal and bump maps return the perturbed shading frame; all others the frame as it is.
   virtual Frame shading_frame(const SurfacePoint& point) const { return point.frame; }
-  /// True if shading_frame does more than return the frame.
-  virtual bool perturbs_normal() const { return false; }
 };
 
 using BsdfList = std::vector<std::shared_ptr<const Bsdf>>;

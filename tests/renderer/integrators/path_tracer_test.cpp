@@ -49,8 +49,8 @@ TEST(PathTracer, diffuse_ball_under_uniform_sky_shows_its_albedo) {
 }
 
 TEST(PathTracer, glowing_sphere_seen_from_inside_sums_the_geometric_series) {
-  // Inside a sphere that emits Le and reflects ρ everywhere, L = Le + ρL, so L = Le/(1-ρ); with at most
-  // n segments L = Le (1-ρⁿ)/(1-ρ).
+  // Inside a sphere that emits Le and reflects ρ everywhere, L = Le + ρL, so L = Le/(1-ρ); with at
+  // most n segments L = Le (1-ρⁿ)/(1-ρ).
   for (const int max_depth : {1, 2, 3, -1}) {
     SceneDescription scene = testing::empty_scene();
     auto& sphere = testing::add_sphere(scene, Vec3(0), 2, testing::add_diffuse(scene, Color(0.6f)));
@@ -64,10 +64,11 @@ TEST(PathTracer, glowing_sphere_seen_from_inside_sums_the_geometric_series) {
 }
 
 TEST(PathTracer, point_light_follows_cosine_and_inverse_square) {
-  // Diffuse plane under a point light at height h: at horizontal distance x, cosθ = h/d, d² = x²+h²,
-  // L = ρ/π · I·cosθ/d². The camera looks at a small spot with x = 1, h = 2.
+  // Diffuse plane under a point light at height h: at horizontal distance x, cosθ = h/d, d² =
+  // x²+h², L = ρ/π · I·cosθ/d². The camera looks at a small spot with x = 1, h = 2.
   SceneDescription scene = testing::empty_scene(4, 4);
-  testing::add_rectangle(scene, glm::scale(Mat4(1), Vec3(10)), testing::add_diffuse(scene, Color(0.5f)));
+  testing::add_rectangle(scene, glm::scale(Mat4(1), Vec3(10)),
+                         testing::add_diffuse(scene, Color(0.5f)));
   scene.emitters.push_back({"bulb", 0, PointEmitter{{0, 0, 2}, Color(10, 20, 30)}});
   testing::look_at(scene, {1, 0, 5}, {1, 0, 0}, 0.2f);
   const float d = std::sqrt(5.0f);
@@ -77,7 +78,8 @@ TEST(PathTracer, point_light_follows_cosine_and_inverse_square) {
 TEST(PathTracer, disk_light_on_the_axis) {
   // Irradiance below the centre of a disk light of radius r at height h: E = πL r²/(r²+h²).
   SceneDescription scene = testing::empty_scene(4, 4);
-  testing::add_rectangle(scene, glm::scale(Mat4(1), Vec3(10)), testing::add_diffuse(scene, Color(1)));
+  testing::add_rectangle(scene, glm::scale(Mat4(1), Vec3(10)),
+                         testing::add_diffuse(scene, Color(1)));
   ShapeDescription disk;
   disk.geometry = DiskShape{};
   disk.to_world = glm::translate(Mat4(1), Vec3(0, 0, 2)) *
@@ -90,8 +92,8 @@ TEST(PathTracer, disk_light_on_the_axis) {
 }
 
 TEST(PathTracer, mirror_and_glass_pass_the_sky_on) {
-  // A lossless mirror or glass ball under uniform radiance is invisible: every path ends in the sky with
-  // throughput 1 (the η² of entering and leaving cancel).
+  // A lossless mirror or glass ball under uniform radiance is invisible: every path ends in the sky
+  // with throughput 1 (the η² of entering and leaving cancel).
   for (const bool glass : {false, true}) {
     SceneDescription scene = testing::empty_scene();
     if (glass) {
@@ -107,7 +109,8 @@ TEST(PathTracer, mirror_and_glass_pass_the_sky_on) {
 }
 
 TEST(PathTracer, absorbing_medium_follows_beer_lambert) {
-  // An index-matched slab of thickness 2 in front of a uniform sky: L = L₀ exp(-σ·2) straight through.
+  // An index-matched slab of thickness 2 in front of a uniform sky: L = L₀ exp(-σ·2) straight
+  // through.
   SceneDescription scene = testing::empty_scene(4, 4);
   scene.bsdfs.push_back({"boundary", 0, NullBsdf{}});
   scene.media.push_back({"ink", 0, Color(0.1f, 0.5f, 1.0f)});
@@ -129,7 +132,8 @@ TEST(PathTracer, layers_add_up) {
   const Image direct = film.develop(Layer::Direct);
   const Image indirect = film.develop(Layer::Indirect);
   for (size_t i = 0; i < beauty.data().size(); ++i) {
-    EXPECT_NEAR(beauty.data()[i], direct.data()[i] + indirect.data()[i], 1e-5f * (1 + beauty.data()[i]));
+    EXPECT_NEAR(beauty.data()[i], direct.data()[i] + indirect.data()[i],
+                1e-5f * (1 + beauty.data()[i]));
   }
   EXPECT_GT(luminance(mean_color(indirect)), 0.01f);
   const Image albedo = film.develop(Layer::Albedo);
@@ -154,7 +158,8 @@ TEST(PathTracer, a_region_holds_the_same_samples_as_the_whole_picture) {
   const auto integrator = path_tracer_info().create(scene, *path_tracer_info().make_settings({}));
   Parallel parallel(2);
   const PixelRegion region{5, 3, 30, 20};
-  for (uint32_t pass = 0; pass < 2; ++pass) integrator->render_pass(pass, film, {1, &parallel, region});
+  for (uint32_t pass = 0; pass < 2; ++pass)
+    integrator->render_pass(pass, film, {1, &parallel, region});
   const Image part = film.develop(Layer::Beauty);
   for (int y = 0; y < 24; ++y) {
     for (int x = 0; x < 40; ++x) {

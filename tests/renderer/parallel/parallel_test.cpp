@@ -46,7 +46,10 @@ TEST(Parallel, waits_while_paused) {
 
 TEST(Parallel, passes_an_exception_on) {
   Parallel parallel(2);
-  EXPECT_THROW(parallel.for_each(100, [](size_t i) { if (i == 50) throw std::runtime_error("x"); }),
+  EXPECT_THROW(parallel.for_each(100,
+                                 [](size_t i) {
+                                   if (i == 50) throw std::runtime_error("x");
+                                 }),
                std::runtime_error);
 }
 

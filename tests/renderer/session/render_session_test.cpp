@@ -128,7 +128,8 @@ TEST(RenderSession, restarts_and_stops_without_waiting_for_a_pass) {
   const uint64_t next = session.start(room_job(16));
   EXPECT_LT(watch.seconds(), 0.02) << "a command blocked";
   ASSERT_TRUE(eventually([&] { return session.snapshot()->job == next; }));
-  // The figure that is promised is 50 ms; sanitizers and a busy machine get more. A pass takes longer.
+  // The figure that is promised is 50 ms; sanitizers and a busy machine get more. A pass takes
+  // longer.
   EXPECT_LT(watch.seconds(), 0.5);
 
   session.start(job);
