@@ -16,15 +16,6 @@ DiscreteDistribution::DiscreteDistribution(std::span<const float> weights) {
   cdf_.back() = 1.0f;
 }
 
-DiscreteDistribution::Sample DiscreteDistribution::sample(float u) const {
-  // The first entry above u closes the chosen interval, so intervals of width zero are never chosen.
-  const auto above = std::upper_bound(cdf_.begin() + 1, cdf_.end() - 1, u);
-  const auto index = static_cast<uint32_t>(above - cdf_.begin() - 1);
-  const float probability = pmf(index);
-  const float remapped = probability > 0 ? (u - cdf_[index]) / probability : 0.0f;
-  return {index, probability, std::clamp(remapped, 0.0f, kOneMinusEpsilon)};
-}
-
 GridDistribution::GridDistribution(std::span<const float> values, int width, int height)
     : width_(width), height_(height) {
   std::vector<float> row_sums(height);

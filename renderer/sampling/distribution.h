@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -31,8 +32,18 @@ class DiscreteDistribution {
   double total_ = 0;
 };
 
-/// Piecewise-constant density on [0,1)², from a row-major grid of non-negative values. Used to sample
-/// images; `pdf` is per unit area of the square. If all values are zero it is uniform.
+inline DiscreteDistribution::Sample DiscreteDistribution::sample(float u) const {
+  // The first entry above u closes the chosen interval, so intervals of width zero are never
+  // chosen.
+  const auto above = std::upper_bound(cdf_.begin() + 1, cdf_.end() - 1, u);
+  const auto index = static_cast<uint32_t>(above - cdf_.begin() - 1);
+  const float probability = pmf(index);
+  const float remapped = probability > 0 ? (u - cdf_[index]) / probability : 0.0f;
+  return {index, probability, std::clamp(remapped, 0.0f, kOneMinusEpsilon)};
+}
+
+/// Piecewise-constant density on [0,1)², from a row-major grid of non-negative values. Used to
+/// sample images; `pdf` is per unit area of the square. If all values are zero it is uniform.
 class GridDistribution {
  public:
   struct Sample {

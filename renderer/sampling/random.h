@@ -15,9 +15,9 @@ constexpr uint64_t mix_bits(uint64_t x) {
   return x ^ (x >> 31);
 }
 
-/// Random numbers of one path: a PCG32 stream (O'Neill 2014) whose state and sequence are hashed from
-/// (seed, pass, path index). Nothing is shared between paths, so any path can be traced again, on any
-/// thread, in any order.
+/// Random numbers of one path: a PCG32 stream (O'Neill 2014) whose state and sequence are hashed
+/// from (seed, pass, path index). Nothing is shared between paths, so any path can be traced again,
+/// on any thread, in any order.
 class Rng {
  public:
   Rng(uint64_t seed, uint64_t pass, uint64_t path) {

@@ -91,6 +91,18 @@ TriangleMesh::TriangleMesh(const ShapeDescription& description, const Mat4& to_w
     normals_.push_back(is_finite(world) ? unit_or_zero(world) : Vec3(0));
   }
   measure();
+  if (is_flat()) normals_.clear();
+}
+
+/// True if the vertex normals say no more than the faces themselves.
+bool TriangleMesh::is_flat() const {
+  if (normals_.empty()) return true;
+  for (size_t i = 0; i < triangles().size(); ++i) {
+    for (const uint32_t vertex : triangles()[i]) {
+      if (glm::dot(normals_[vertex], faces_[i].normal) < 1 - 1e-6f) return false;
+    }
+  }
+  return true;
 }
 
 void TriangleMesh::measure() {

@@ -38,6 +38,7 @@ class TriangleMesh final : public Shape {
   static constexpr size_t kPadding = 2;
 
   void measure();
+  bool is_flat() const;
   void fill_triangle(uint32_t triangle, Vec2 barycentric, SurfacePoint& point) const;
 
   /// What every hit of a triangle needs.
