@@ -20,7 +20,7 @@ void Layout::update(bool panels_shown, float menu_height) {
     view_ = {{0, 0}, window};
     return;
   }
-  const float status_height = ImGui::GetFrameHeight() + scaled(8);
+  const float status_height = ImGui::GetTextLineHeight() + scaled(16);
   const float height = std::max(1.0f, window.y - menu_height - status_height);
   const float room = window.x - scaled(kNarrowestView);
   const float left = std::min(scaled(left_width_), room / 2);
@@ -59,18 +59,24 @@ void Layout::drag_border(const char* name, float x, float& width, float directio
   ImGui::PopStyleVar(2);
 }
 
-void begin_area(const char* name, const Area& area, bool padded, ImU32 background) {
+void begin_area(const char* name, const Area& area, Padding padding, ImU32 background) {
   ImGui::SetNextWindowPos(area.corner);
   ImGui::SetNextWindowSize(area.size);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
-  if (!padded) ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  const ImVec2 room = padding == Padding::None  ? ImVec2(0, 0)
+                      : padding == Padding::Bar ? ImVec2(scaled(14), scaled(8))
+                                                : ImGui::GetStyle().WindowPadding;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, room);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, background);
+  const int scrolling = padding == Padding::Panel
+                            ? 0
+                            : ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
   ImGui::Begin(name, nullptr,
-               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoBringToFrontOnFocus |
-                   ImGuiWindowFlags_NoSavedSettings);
+               scrolling | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoSavedSettings);
   ImGui::PopStyleColor();
-  ImGui::PopStyleVar(padded ? 1 : 2);
+  ImGui::PopStyleVar(2);
 }
 
 }  // namespace guidelight

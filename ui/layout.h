@@ -30,7 +30,10 @@ class Layout {
   Area left_, view_, right_, status_;
 };
 
+/// The room between the edge of an area and what is in it. Only panels scroll.
+enum class Padding { None, Bar, Panel };
+
 /// Begins a fixed ImGui window that fills an area. End it with ImGui::End().
-void begin_area(const char* name, const Area& area, bool padded, ImU32 background);
+void begin_area(const char* name, const Area& area, Padding padding, ImU32 background);
 
 }  // namespace guidelight

@@ -173,7 +173,7 @@ void Viewer::draw_frame() {
 }
 
 void Viewer::draw_view() {
-  begin_area("view", layout_.view(), false, palette::kBackdrop);
+  begin_area("view", layout_.view(), Padding::None, palette::kBackdrop);
   view_.draw(document_);
   ImGui::End();
   const Area& area = layout_.view();
@@ -185,19 +185,19 @@ void Viewer::draw_view() {
 
 void Viewer::draw_panels() {
   const auto act = [this](Action action) { perform(action); };
-  begin_area("left", layout_.left(), true, palette::kPanel);
+  begin_area("left", layout_.left(), Padding::Panel, palette::kPanel);
   draw_scene_panel(document_);
   draw_integrator_panel(document_);
   draw_render_panel(document_, view_.region_tool_active(), act);
   ImGui::End();
 
-  begin_area("right", layout_.right(), true, palette::kPanel);
+  begin_area("right", layout_.right(), Padding::Panel, palette::kPanel);
   draw_image_panel(document_, act);
   draw_histogram_panel(document_, view_.picture().get());
   if (inspector_shown_) draw_inspector_panel(document_, view_.hovered_pixel());
   ImGui::End();
 
-  begin_area("status", layout_.status(), true, palette::kPanel);
+  begin_area("status", layout_.status(), Padding::Bar, palette::kPanel);
   draw_status_bar(document_, view_, loader_.loading());
   ImGui::End();
 }

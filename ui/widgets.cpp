@@ -8,7 +8,7 @@ namespace guidelight {
 namespace {
 
 constexpr float kBodySize = 16;
-constexpr float kLabelShare = 0.40f;  // of a panel's width
+constexpr float kLabelShare = 0.36f;  // of a panel's width
 
 float text_width(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
 
@@ -25,11 +25,20 @@ std::vector<size_t> character_starts(const std::string& text) {
 void row_label(const char* label, const std::string& help) {
   const float left = ImGui::GetCursorPosX();
   const float column = left + kLabelShare * ImGui::GetContentRegionAvail().x;
-  ImGui::AlignTextToFramePadding();
   dim_text(label);
   if (!help.empty()) tooltip(help);
   ImGui::SameLine(column);
 }
+
+/// The unit as part of a printf format.
+std::string with_unit(const char* number_format, const std::string& unit) {
+  std::string format = number_format;
+  if (!unit.empty()) format += " ";
+  for (const char c : unit) format += c == '%' ? std::string("%%") : std::string(1, c);
+  return format;
+}
+
+constexpr const char* kHowToEnter = "Drag, or double-click to type.";
 
 }  // namespace
 
@@ -48,20 +57,28 @@ bool section(const char* title) {
 }
 
 void row(const char* label, const std::string& help) {
+  ImGui::AlignTextToFramePadding();
   row_label(label, help);
   ImGui::SetNextItemWidth(-FLT_MIN);
 }
 
-void row_with_unit(const char* label, const std::string& unit, const std::string& help) {
-  row_label(label, help);
-  const float unit_width = unit.empty() ? 0 : text_width(unit) + scaled(7);
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - unit_width);
+bool number(const char* id, int& value, int low, int high, const std::string& unit) {
+  const float speed = std::max(0.1f, 0.02f * static_cast<float>(std::abs(value)));
+  const bool changed = ImGui::DragInt(id, &value, speed, low, high, with_unit("%d", unit).c_str(),
+                                      ImGuiSliderFlags_AlwaysClamp);
+  tooltip(kHowToEnter);
+  return changed;
 }
 
-void unit_text(const std::string& unit) {
-  if (unit.empty()) return;
-  ImGui::SameLine(0, scaled(7));
-  dim_text(unit);
+bool number(const char* id, float& value, float low, float high, const std::string& unit,
+            bool logarithmic) {
+  const float speed = std::max(1e-6f, 0.01f * std::abs(value));
+  const auto flags =
+      ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+  const bool changed =
+      ImGui::DragFloat(id, &value, speed, low, high, with_unit("%.4g", unit).c_str(), flags);
+  tooltip(kHowToEnter);
+  return changed;
 }
 
 void readout(const char* label, const std::string& value, const std::string& help) {

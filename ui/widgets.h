@@ -21,10 +21,12 @@ bool section(const char* title);
 
 /// Begins a row: the label on the left with a tooltip, the next widget fills the right.
 void row(const char* label, const std::string& help = "");
-/// The same with something dim after the widget, for instance its unit.
-void row_with_unit(const char* label, const std::string& unit, const std::string& help = "");
-/// Puts the unit announced by row_with_unit after the widget.
-void unit_text(const std::string& unit);
+
+/// A number that is dragged, or typed after a double click, with its unit behind it. Each returns
+/// whether the value was changed; it stays within the limits.
+bool number(const char* id, int& value, int low, int high, const std::string& unit);
+bool number(const char* id, float& value, float low, float high, const std::string& unit,
+            bool logarithmic = false);
 
 /// A row that shows a value; too long values are shortened in the middle, the tooltip has them
 /// whole.

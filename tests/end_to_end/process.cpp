@@ -99,8 +99,8 @@ std::unique_ptr<VirtualDisplay> VirtualDisplay::start(int width, int height) {
   if (pipe(ends) != 0) return nullptr;
   fcntl(ends[0], F_SETFD, FD_CLOEXEC);
   const std::string screen = std::to_string(width) + "x" + std::to_string(height) + "x24";
-  const pid_t pid = start_program({"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0", screen,
-                                   "-nolisten", "tcp", "-noreset"},
+  const pid_t pid = start_program({"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0",
+                                   screen, "-nolisten", "tcp", "-noreset"},
                                   {}, "");
   close(ends[1]);
   const std::string number = read_display_number(ends[0]);

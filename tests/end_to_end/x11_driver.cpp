@@ -105,7 +105,8 @@ X11Driver::~X11Driver() { XCloseDisplay(impl_->display); }
 
 // -- The window.
 
-/// The first mapped child of the root that is large: without a window manager nothing else is there.
+/// The first mapped child of the root that is large: without a window manager nothing else is
+/// there.
 bool X11Driver::find_window() {
   return wait_until([&] {
     Window root = 0, parent = 0;
@@ -228,13 +229,15 @@ void X11Driver::double_click(Point at) {
   hold_button(Mouse::Left, false);
 }
 
-void X11Driver::drag(Point from, Point to, Mouse button, const std::vector<std::string>& modifiers) {
+void X11Driver::drag(Point from, Point to, Mouse button,
+                     const std::vector<std::string>& modifiers) {
   constexpr int kSteps = 12;
   move_mouse(from);
   for (const std::string& modifier : modifiers) hold_key(modifier, true);
   hold_button(button, true);
   for (int step = 1; step <= kSteps; ++step) {
-    move_mouse({from.x + (to.x - from.x) * step / kSteps, from.y + (to.y - from.y) * step / kSteps});
+    move_mouse(
+        {from.x + (to.x - from.x) * step / kSteps, from.y + (to.y - from.y) * step / kSteps});
   }
   hold_button(button, false);
   for (const std::string& modifier : modifiers) hold_key(modifier, false);
@@ -251,8 +254,9 @@ bool X11Driver::drop_file(const std::string& path, Point at) {
 
   const auto source_id = static_cast<long>(source);
   impl_->send_message(impl_->atom("XdndEnter"), source_id, 5L << 24, static_cast<long>(uri_list));
-  impl_->send_message(impl_->atom("XdndPosition"), source_id, 0, (static_cast<long>(at.x) << 16) | at.y,
-                      CurrentTime, static_cast<long>(impl_->atom("XdndActionCopy")));
+  impl_->send_message(impl_->atom("XdndPosition"), source_id, 0,
+                      (static_cast<long>(at.x) << 16) | at.y, CurrentTime,
+                      static_cast<long>(impl_->atom("XdndActionCopy")));
   bool dropped = false;
   bool finished = false;
   wait_until([&] {
@@ -278,7 +282,8 @@ bool X11Driver::drop_file(const std::string& path, Point at) {
         answer.target = request.target;
         answer.property = request.property;
         answer.time = request.time;
-        XSendEvent(display, request.requestor, False, NoEventMask, reinterpret_cast<XEvent*>(&answer));
+        XSendEvent(display, request.requestor, False, NoEventMask,
+                   reinterpret_cast<XEvent*>(&answer));
         XFlush(display);
       }
     }

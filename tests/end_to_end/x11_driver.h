@@ -1,16 +1,17 @@
 #pragma once
 
+#include <sys/types.h>
+
 #include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
-#include <sys/types.h>
 #include <vector>
 
-/// A person at an X11 desktop, for tests: a display of its own, hands on keyboard and mouse (XTEST), eyes on
-/// the screen, and a program that is started and watched.
+/// A person at an X11 desktop, for tests: a display of its own, hands on keyboard and mouse
+/// (XTEST), eyes on the screen, and a program that is started and watched.
 namespace guidelight {
 
 /// Polls until the condition holds; false if it does not within the time.
@@ -67,7 +68,8 @@ struct ScreenPicture {
 
 /// Mean of the channels over a rectangle, 0..255.
 double mean_brightness(const ScreenPicture& picture, Point corner, Point size);
-/// Mean absolute difference of the means of 16×16 blocks over a rectangle, 0..255: noise hardly counts.
+/// Mean absolute difference of the means of 16×16 blocks over a rectangle, 0..255: noise hardly
+/// counts.
 double block_difference(const ScreenPicture& a, const ScreenPicture& b, Point corner, Point size);
 size_t count_color(const ScreenPicture& picture, uint32_t color);
 

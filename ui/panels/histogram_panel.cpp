@@ -38,7 +38,7 @@ void draw_axis(ImDrawList& list, Vec2 corner, Vec2 size) {
   for (int ev = -8; ev <= 8; ev += 4) {
     const float x = std::round(corner.x + position_of(static_cast<float>(ev)) * size.x);
     list.AddLine({x, corner.y}, {x, corner.y + size.y}, IM_COL32(255, 255, 255, 22));
-    const std::string label = ev == 0 ? "1" : fmt::format("2^{}", ev);
+    const std::string label = ev == 0 ? "0 EV" : fmt::format("{:+}", ev);
     const float width = ImGui::CalcTextSize(label.c_str()).x;
     list.AddText({x - width / 2, corner.y + size.y + scaled(3)}, palette::kDim, label.c_str());
   }

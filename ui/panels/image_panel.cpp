@@ -56,13 +56,10 @@ void draw_false_color(Layer layer, DisplaySettings& display) {
               display.color_map, kMapLabels);
   const std::string unit = layer_unit(layer);
   const std::string in_unit = unit.empty() ? "" : " [" + unit + "]";
-  const float speed = 0.01f * display.false_color_max;
   row("From", "The value shown in the first colour" + in_unit + "; the scale is logarithmic");
-  ImGui::DragFloat("##low", &display.false_color_min, speed, 1e-8f, 1e8f, "%.4g",
-                   ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+  number("##low", display.false_color_min, 1e-8f, 1e8f, "", true);
   row("To", "The value shown in the last colour" + in_unit);
-  ImGui::DragFloat("##high", &display.false_color_max, speed, 1e-8f, 1e8f, "%.4g",
-                   ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+  number("##high", display.false_color_max, 1e-8f, 1e8f, "", true);
   display.false_color_max = std::max(display.false_color_max, 1.001f * display.false_color_min);
 }
 
@@ -99,7 +96,7 @@ void draw_image_panel(Document& document, const Perform& perform) {
       fmt::format("Marks what is brighter than white red, and values that are no numbers "
                   "magenta ({})",
                   shortcut_text(Action::ClipWarning)));
-  ImGui::Checkbox("mark##clipped", &display.show_clipped);
+  ImGui::Checkbox("Mark clipped##clipped", &display.show_clipped);
 }
 
 }  // namespace guidelight

@@ -9,18 +9,20 @@
 namespace guidelight {
 namespace {
 
-std::string triple(Vec3 v) {
-  return format_value(v.x) + "  " + format_value(v.y) + "  " + format_value(v.z);
+std::string triple(Vec3 v) { return fmt::format("{:.3g}  {:.3g}  {:.3g}", v.x, v.y, v.z); }
+
+std::string error_text(const PixelReport& report) {
+  if (report.samples < 2) return "unknown yet";
+  const float value = luminance(report.radiance);
+  const std::string absolute = "± " + format_value(report.standard_error);
+  if (!(value > 0)) return absolute;
+  return absolute + "  (" + format_percent(report.standard_error / value) + ")";
 }
 
 void draw_values(const PixelReport& report) {
   readout("Radiance", triple(report.radiance), "Red, green, blue [W/(m² sr)]");
-  const float value = luminance(report.radiance);
-  readout("Luminance", format_value(value), "Rec. 709 [W/(m² sr)]");
-  readout("Error",
-          value > 0 ? fmt::format("± {}  ({})", format_value(report.standard_error),
-                                  format_percent(report.standard_error / value))
-                    : "± " + format_value(report.standard_error),
+  readout("Luminance", format_value(luminance(report.radiance)), "Rec. 709 [W/(m² sr)]");
+  readout("Error", error_text(report),
           "Standard error of the luminance, estimated from the samples");
   readout("Direct", triple(report.direct));
   readout("Indirect", triple(report.indirect));

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "ui/panels/panels.h"
 #include "ui/widgets.h"
 
@@ -31,18 +29,16 @@ struct ParameterWidget {
 
   bool operator()(bool* value) const { return ImGui::Checkbox(id, value); }
 
+  /// A minimum of -1 stands for no limit.
   bool operator()(int* value) const {
-    if (!ImGui::InputInt(id, value)) return false;
-    *value = std::clamp(*value, static_cast<int>(parameter.minimum),
-                        static_cast<int>(parameter.maximum));
-    return true;
+    const bool unlimited = parameter.minimum == -1 && *value == -1;
+    return number(id, *value, static_cast<int>(parameter.minimum),
+                  static_cast<int>(parameter.maximum), unlimited ? "(no limit)" : parameter.unit);
   }
 
   bool operator()(float* value) const {
-    const auto flags =
-        ImGuiSliderFlags_AlwaysClamp | (parameter.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
-    return ImGui::SliderFloat(id, value, static_cast<float>(parameter.minimum),
-                              static_cast<float>(parameter.maximum), "%.4g", flags);
+    return number(id, *value, static_cast<float>(parameter.minimum),
+                  static_cast<float>(parameter.maximum), parameter.unit, parameter.logarithmic);
   }
 
   bool operator()(const Parameter::Choice& choice) const {
@@ -61,11 +57,9 @@ struct ParameterWidget {
 };
 
 bool draw_parameter(const Parameter& parameter) {
-  row_with_unit(parameter.label.c_str(), parameter.unit, parameter.help + " " + kRestarts);
+  row(parameter.label.c_str(), parameter.help + " " + kRestarts);
   const std::string id = "##" + parameter.key;
-  const bool changed = std::visit(ParameterWidget{parameter, id.c_str()}, parameter.value);
-  unit_text(parameter.unit);
-  return changed;
+  return std::visit(ParameterWidget{parameter, id.c_str()}, parameter.value);
 }
 
 }  // namespace

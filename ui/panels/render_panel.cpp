@@ -59,11 +59,8 @@ bool edit_threads(RenderSettings& settings) {
   int threads = settings.threads > 0 ? settings.threads : all;
   row("Threads",
       "Render threads; the window comes first on all of them. Changing it restarts the render.");
-  const char* format = threads == all ? "%d (all)" : "%d";
-  if (!ImGui::SliderInt("##threads", &threads, 1, std::max(all, settings.threads), format,
-                        ImGuiSliderFlags_AlwaysClamp)) {
-    return false;
-  }
+  const char* note = settings.threads == 0 ? "(all)" : "";
+  if (!number("##threads", threads, 1, std::max(all, settings.threads), note)) return false;
   settings.threads = threads == all ? 0 : threads;
   return true;
 }
@@ -75,29 +72,28 @@ bool edit_seed(RenderSettings& settings) {
 }
 
 bool edit_targets(RenderTargets& targets) {
+  constexpr const char* kNoLimit = "(no limit)";
+  const std::string restarts = " 0 sets no limit. Changing it restarts the render.";
   bool changed = false;
-  const std::string restarts = " 0: no limit. Changing it restarts the render.";
+
   int passes = static_cast<int>(targets.passes);
-  row_with_unit("Stop after", "passes", "Passes to render, one sample per pixel each." + restarts);
-  if (ImGui::InputInt("##passes", &passes, 16, 256)) {
-    targets.passes = static_cast<uint32_t>(std::max(passes, 0));
+  row("Stop after", "Passes to render, one sample per pixel each." + restarts);
+  if (number("##passes", passes, 0, 1 << 24, passes == 0 ? kNoLimit : "passes")) {
+    targets.passes = static_cast<uint32_t>(passes);
     changed = true;
   }
-  unit_text("passes");
-  row_with_unit("or after", "s", "Seconds of rendering, pauses excluded." + restarts);
-  if (ImGui::InputDouble("##seconds", &targets.seconds, 10, 60, "%.0f")) {
-    targets.seconds = std::max(targets.seconds, 0.0);
+  int seconds = static_cast<int>(targets.seconds);
+  row("or after", "Seconds of rendering, pauses excluded." + restarts);
+  if (number("##seconds", seconds, 0, 1 << 24, seconds == 0 ? kNoLimit : "s")) {
+    targets.seconds = seconds;
     changed = true;
   }
-  unit_text("s");
-  double percent = 100 * targets.relative_error;
-  row_with_unit("or at error", "%",
-                "Estimated relative error of a pixel, mean over the picture." + restarts);
-  if (ImGui::InputDouble("##error", &percent, 0.5, 5, "%.2f")) {
-    targets.relative_error = std::clamp(percent, 0.0, 100.0) / 100;
+  auto percent = static_cast<float>(100 * targets.relative_error);
+  row("or at error", "Estimated relative error of a pixel, mean over the picture." + restarts);
+  if (number("##error", percent, 0, 100, percent == 0 ? "% (no limit)" : "%")) {
+    targets.relative_error = percent / 100;
     changed = true;
   }
-  unit_text("%");
   return changed;
 }
 

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "ui/format.h"
 #include "ui/panels/panels.h"
 #include "ui/theme.h"
@@ -31,7 +33,9 @@ void draw_scene_panel(const Document& document) {
   }
   const Scene& scene = document.scene();
   const Scene::Statistics statistics = scene.statistics();
-  readout("File", document.opened().path, "The scene file");
+  const std::filesystem::path file(document.opened().path);
+  readout("File", (file.parent_path().filename() / file.filename()).string());
+  tooltip(document.opened().path);
   readout("Shapes", format_count(static_cast<double>(statistics.shapes)));
   readout("Triangles", format_count(static_cast<double>(statistics.triangles)));
   if (statistics.instances > 0) {

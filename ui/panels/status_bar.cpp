@@ -67,7 +67,6 @@ std::string progress_text(const Snapshot& status) {
 }  // namespace
 
 void draw_status_bar(const Document& document, const RenderView& view, const std::string& loading) {
-  ImGui::AlignTextToFramePadding();
   if (!loading.empty()) {
     draw_dot(palette::kAccent);
     ImGui::TextUnformatted(("Reading " + shortened(loading, scaled(420))).c_str());

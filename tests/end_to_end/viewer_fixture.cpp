@@ -1,0 +1,94 @@
+#include "tests/end_to_end/viewer_fixture.h"
+
+#include <unistd.h>
+
+#include <fstream>
+
+namespace guidelight {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+constexpr double kBackdrop = 24;  // grey around the picture
+
+}  // namespace
+
+void ViewerTest::SetUp() {
+  display_ = VirtualDisplay::start(1280, 720);
+  if (!display_) GTEST_SKIP() << "window tests need Xvfb (Debian package xvfb)";
+  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+  folder_ = fs::path(testing::TempDir()) /
+            ("guidelight_" + std::string(info->name()) + "_" + std::to_string(getpid()));
+  fs::remove_all(folder_);
+  fs::create_directories(folder_);
+}
+
+void ViewerTest::TearDown() {
+  driver_.reset();
+  viewer_.reset();
+  display_.reset();
+  if (!folder_.empty()) fs::remove_all(folder_);
+}
+
+void ViewerTest::start(const std::vector<std::string>& arguments) {
+  std::vector<std::string> command = {GUIDELIGHT_PROGRAM, "view"};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  viewer_ = std::make_unique<ChildProcess>(
+      command,
+      std::vector<std::string>{"DISPLAY=" + display_->name(), "LIBGL_ALWAYS_SOFTWARE=1",
+                               "XDG_STATE_HOME=" + (folder_ / "state").string(),
+                               "HOME=" + folder_.string(), "XDG_SESSION_TYPE=x11"},
+      folder_.string());
+  driver_ = std::make_unique<X11Driver>(display_->name());
+  ASSERT_TRUE(driver_->find_window()) << "no window came";
+}
+
+std::string ViewerTest::scene(const std::string& name) {
+  return std::string(GUIDELIGHT_SOURCE_DIR) + "/scenes/" + name + "/scene.xml";
+}
+
+bool ViewerTest::wait_for_picture() {
+  return wait_until([&] { return view_brightness() > kBackdrop + 4; });
+}
+
+double ViewerTest::view_difference(const ScreenPicture& before) const {
+  return block_difference(before, capture(), kViewCorner, kViewSize);
+}
+
+double ViewerTest::view_brightness() const {
+  return mean_brightness(capture(), {kViewCenter.x - 100, kViewCenter.y - 100}, {200, 200});
+}
+
+std::string ViewerTest::save_png() {
+  const auto pictures = [&] {
+    std::vector<fs::path> found;
+    for (const auto& entry : fs::directory_iterator(folder_)) {
+      if (entry.path().extension() == ".png") found.push_back(entry.path());
+    }
+    return found;
+  };
+  const size_t before = pictures().size();
+  driver_->press_key("F12");
+  if (!wait_until([&] { return pictures().size() > before; })) return "";
+  const auto all = pictures();
+  return std::ranges::max_element(all, {},
+                                  [](const fs::path& path) { return fs::last_write_time(path); })
+      ->string();
+}
+
+std::string ViewerTest::write_scene(const std::string& name) const {
+  const std::string path = (folder_ / name).string();
+  std::ofstream(path) << R"(<scene version="3.0.0">
+  <sensor type="perspective">
+    <transform name="to_world"><lookat origin="0, 0, 5" target="0, 0, 0" up="0, 1, 0"/></transform>
+    <film type="hdrfilm"><integer name="width" value="320"/><integer name="height" value="240"/></film>
+  </sensor>
+  <emitter type="constant"><rgb name="radiance" value="0.4, 0.5, 0.6"/></emitter>
+  <shape type="sphere" id="ball"><bsdf type="diffuse" id="chalk"/></shape>
+</scene>
+)";
+  return path;
+}
+
+}  // namespace guidelight

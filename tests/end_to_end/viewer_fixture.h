@@ -1,0 +1,54 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "renderer/io/image_file.h"
+#include "tests/end_to_end/x11_driver.h"
+
+namespace guidelight {
+
+/// The real program in a real window on a display of its own, 1280×720, with a folder of its own to
+/// write to. Tests are skipped without Xvfb.
+class ViewerTest : public testing::Test {
+ protected:
+  // Where the view lies between the panels.
+  static constexpr Point kViewCorner{293, 27};
+  static constexpr Point kViewSize{694, 658};
+  static constexpr Point kViewCenter{640, 356};
+
+  void SetUp() override;
+  void TearDown() override;
+
+  /// Starts the viewer; fails the test if no window comes.
+  void start(const std::vector<std::string>& arguments);
+  /// A scene of this project, e.g. "default".
+  static std::string scene(const std::string& name);
+
+  /// Waits for a picture in the view: something brighter than the backdrop.
+  bool wait_for_picture();
+  ScreenPicture capture() const { return driver_->capture(); }
+  /// How different the view looks from an earlier capture, noise apart.
+  double view_difference(const ScreenPicture& before) const;
+  double view_brightness() const;
+
+  /// Presses F12 and waits for the file; its path. Empty if none comes.
+  std::string save_png();
+  uint32_t saved_passes() {
+    return static_cast<uint32_t>(std::stoul(read_metadata(save_png()).at("passes")));
+  }
+  std::filesystem::path folder() const { return folder_; }
+  /// A small scene with a lit ball, in the test's folder.
+  std::string write_scene(const std::string& name) const;
+
+  std::unique_ptr<VirtualDisplay> display_;
+  std::unique_ptr<ChildProcess> viewer_;
+  std::unique_ptr<X11Driver> driver_;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace guidelight

@@ -1,0 +1,57 @@
+#include "ui/tools/region_tool.h"
+
+#include <gtest/gtest.h>
+
+#include "ui/panels/open_dialog.h"
+
+namespace guidelight {
+namespace {
+
+TEST(RegionTool, TakesWholePixelsInAnyDirectionOfTheDrag) {
+  const auto region = region_between({10.7f, 20.2f}, {3.1f, 5.9f}, 100, 100);
+  ASSERT_TRUE(region);
+  EXPECT_EQ(region->x0, 3);
+  EXPECT_EQ(region->y0, 5);
+  EXPECT_EQ(region->x1, 11);
+  EXPECT_EQ(region->y1, 21);
+}
+
+TEST(RegionTool, StaysWithinThePicture) {
+  const auto region = region_between({-50, -50}, {30, 1000}, 100, 80);
+  ASSERT_TRUE(region);
+  EXPECT_EQ(region->x0, 0);
+  EXPECT_EQ(region->y0, 0);
+  EXPECT_EQ(region->x1, 30);
+  EXPECT_EQ(region->y1, 80);
+  EXPECT_FALSE(region_between({-50, -50}, {-10, -10}, 100, 80)) << "outside";
+}
+
+TEST(RegionTool, ADragSetsTheRegionAndAClickClearsIt) {
+  Document document([] {});
+  RenderSettings settings;
+  settings.width = 100;
+  settings.height = 100;
+  document.set_settings(settings);
+  RegionTool tool;
+  tool.press(document, {10, 10});
+  tool.drag(document, {30, 20});
+  EXPECT_FALSE(tool.finished());
+  tool.release(document, {40, 50});
+  EXPECT_TRUE(tool.finished());
+  ASSERT_TRUE(document.settings().region);
+  EXPECT_EQ(document.settings().region->x1, 40);
+  tool.press(document, {10, 10});
+  tool.release(document, {10, 10});
+  EXPECT_FALSE(document.settings().region);
+}
+
+TEST(OpenDialog, KnowsScenesByTheirNames) {
+  EXPECT_TRUE(looks_like_scene("/a/scene.xml"));
+  EXPECT_TRUE(looks_like_scene("Duck.GLB"));
+  EXPECT_TRUE(looks_like_scene("a.gltf"));
+  EXPECT_FALSE(looks_like_scene("a.obj"));
+  EXPECT_FALSE(looks_like_scene("xml"));
+}
+
+}  // namespace
+}  // namespace guidelight

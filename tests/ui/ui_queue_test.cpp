@@ -1,0 +1,67 @@
+#include "ui/ui_queue.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <thread>
+
+#include "ui/background_thread.h"
+
+namespace guidelight {
+namespace {
+
+TEST(UiQueue, RunsInOrderOnTheThreadThatAsks) {
+  int wakes = 0;
+  UiQueue queue([&] { ++wakes; });
+  std::vector<int> order;
+  queue.post([&] { order.push_back(1); });
+  queue.post([&] {
+    order.push_back(2);
+    queue.post([&] { order.push_back(3); });  // for the next time
+  });
+  EXPECT_EQ(wakes, 2);
+  queue.run();
+  EXPECT_EQ(order, (std::vector{1, 2}));
+  queue.run();
+  EXPECT_EQ(order, (std::vector{1, 2, 3}));
+}
+
+TEST(UiQueue, DropsEverythingOnceClosed) {
+  int wakes = 0;
+  UiQueue queue([&] { ++wakes; });
+  bool ran = false;
+  queue.post([&] { ran = true; });
+  queue.close();
+  queue.post([&] { ran = true; });
+  queue.run();
+  EXPECT_FALSE(ran);
+  EXPECT_EQ(wakes, 1);
+}
+
+TEST(UiQueue, LosesNothingThatManyThreadsPost) {
+  UiQueue queue([] {});
+  std::vector<std::thread> threads;
+  int count = 0;
+  for (int t = 0; t < 4; ++t) {
+    threads.emplace_back([&] {
+      for (int i = 0; i < 1000; ++i) queue.post([&] { ++count; });
+    });
+  }
+  while (count < 2000) queue.run();
+  for (std::thread& thread : threads) thread.join();
+  queue.run();
+  EXPECT_EQ(count, 4000);
+}
+
+TEST(BackgroundThread, FinishesItsJobsInOrderBeforeItGoes) {
+  std::vector<int> order;
+  {
+    BackgroundThread thread;
+    for (int i = 0; i < 100; ++i) thread.run([&order, i] { order.push_back(i); });
+  }
+  ASSERT_EQ(order.size(), 100u);
+  EXPECT_TRUE(std::ranges::is_sorted(order));
+}
+
+}  // namespace
+}  // namespace guidelight
