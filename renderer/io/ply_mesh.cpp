@@ -237,7 +237,7 @@ void read_face(Values& values, const Property& property, Mesh& mesh) {
     // Everything wrong becomes an index that the check of the mesh refuses.
     const bool valid = index >= 0 && index < 4294967295.0;
     const uint32_t vertex = valid ? static_cast<uint32_t>(index) : 0xffffffffu;
-    if (i >= 2) triangle[1] = triangle[2];
+    if (i >= 3) triangle[1] = triangle[2];
     triangle[std::min<uint64_t>(i, 2)] = vertex;
     if (i >= 2) mesh.triangles.push_back(triangle);
   }
