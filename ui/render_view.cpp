@@ -84,7 +84,12 @@ void RenderView::draw_picture(ImDrawList& list) {
 }
 
 void RenderView::draw_overlays(const Document& document, ImDrawList& list, Vec2 corner, Vec2 room) {
-  if (!document.has_scene()) return;
+  if (!document.has_scene()) {
+    const std::string invitation =
+        "Drop a scene here, or press " + shortcut_text(Action::OpenScene);
+    centered_text(list, corner + 0.5f * room, palette::kDim, invitation.c_str());
+    return;
+  }
   const RenderSettings& settings = document.settings();
   if (settings.region) draw_region(*settings.region, settings, transform_, list);
   tool_->draw(document, transform_, list);

@@ -93,8 +93,8 @@ Window::Window(const std::string& title, float ui_scale) {
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
   glfwSetWindowUserPointer(window_, this);
-  install_callbacks();
   ImGui_ImplGlfw_InitForOpenGL(window_, true);
+  install_callbacks();
   ImGui_ImplOpenGL3_Init("#version 330 core");
 }
 
@@ -106,12 +106,9 @@ Window::~Window() {
   glfwTerminate();
 }
 
-/// Installed before ImGui's, which calls them after it has seen the event itself.
 void Window::install_callbacks() {
-  glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int, int action, int modifiers) {
-    Window& window = window_of(handle);
-    if (action == GLFW_RELEASE || ImGui::GetIO().WantTextInput || !window.on_key) return;
-    window.on_key(key, modifiers);
+  glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int code, int action, int modifiers) {
+    window_of(handle).take_key({key, code, modifiers}, action);
   });
   glfwSetDropCallback(window_, [](GLFWwindow* handle, int count, const char** paths) {
     Window& window = window_of(handle);
@@ -120,6 +117,28 @@ void Window::install_callbacks() {
   glfwSetWindowContentScaleCallback(window_, [](GLFWwindow* handle, float x, float y) {
     window_of(handle).set_scale(std::max(x, y));
   });
+}
+
+/// ImGui looks at keys once per frame, so one that is pressed and released between two frames would be
+/// lost: it is released for ImGui after the next frame.
+void Window::take_key(const Key& key, int action) {
+  const bool press_unseen = std::ranges::find(pressed_, key.key, &Key::key) != pressed_.end();
+  if (action == GLFW_RELEASE && press_unseen) {
+    late_releases_.push_back(key);
+    return;
+  }
+  ImGui_ImplGlfw_KeyCallback(window_, key.key, key.code, action, key.modifiers);
+  if (action == GLFW_RELEASE) return;
+  pressed_.push_back(key);
+  if (!ImGui::GetIO().WantTextInput && on_key) on_key(key.key, key.modifiers);
+}
+
+void Window::release_late_keys() {
+  pressed_.clear();
+  for (const Key& key : late_releases_) {
+    ImGui_ImplGlfw_KeyCallback(window_, key.key, key.code, GLFW_RELEASE, key.modifiers);
+  }
+  late_releases_.clear();
 }
 
 bool Window::should_close() const { return glfwWindowShouldClose(window_); }
@@ -147,6 +166,7 @@ void Window::begin_frame() {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();
+  release_late_keys();
 }
 
 void Window::end_frame(DisplayImage* capture) {

@@ -47,11 +47,20 @@ class Window {
   int modifiers() const;
 
  private:
+  struct Key {
+    int key;
+    int code;
+    int modifiers;
+  };
   void install_callbacks();
+  void take_key(const Key& key, int action);
+  void release_late_keys();
 
   GLFWwindow* window_ = nullptr;
   float scale_ = 1;
   bool scale_changed_ = true;
+  std::vector<Key> pressed_;        // since the last frame
+  std::vector<Key> late_releases_;  // that ImGui learns after the next
 };
 
 }  // namespace guidelight

@@ -45,11 +45,15 @@ void ViewerTest::start(const std::vector<std::string>& arguments) {
 }
 
 std::string ViewerTest::scene(const std::string& name) {
-  return std::string(GUIDELIGHT_SOURCE_DIR) + "/scenes/" + name + "/scene.xml";
+  return (fs::path(GUIDELIGHT_SOURCE_DIR) / "scenes" / name / "scene.xml").string();
 }
 
 bool ViewerTest::wait_for_picture() {
   return wait_until([&] { return view_brightness() > kBackdrop + 4; });
+}
+
+bool ViewerTest::wait_for_full_picture() {
+  return wait_for_picture() && wait_until([&] { return saved_passes() > 0; });
 }
 
 double ViewerTest::view_difference(const ScreenPicture& before) const {

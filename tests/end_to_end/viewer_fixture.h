@@ -29,6 +29,8 @@ class ViewerTest : public testing::Test {
 
   /// Waits for a picture in the view: something brighter than the backdrop.
   bool wait_for_picture();
+  /// Waits until at least one pass of the full size has been rendered.
+  bool wait_for_full_picture();
   ScreenPicture capture() const { return driver_->capture(); }
   /// How different the view looks from an earlier capture, noise apart.
   double view_difference(const ScreenPicture& before) const;

@@ -109,7 +109,7 @@ TEST_F(ViewerTest, EveryWayToMoveTheCameraChangesThePicture) {
 // -- Rendering.
 
 TEST_F(ViewerTest, PauseFreezesThePassCounter) {
-  start({scene("default")});
+  start({scene("default"), "--size", "200x150"});
   ASSERT_TRUE(wait_for_picture());
   const uint32_t first = saved_passes();
   EXPECT_TRUE(wait_until([&] { return saved_passes() > first; })) << "passes grow while rendering";
@@ -125,10 +125,10 @@ TEST_F(ViewerTest, PauseFreezesThePassCounter) {
 }
 
 TEST_F(ViewerTest, APausedViewerRests) {
-  start({scene("default")});
-  ASSERT_TRUE(wait_for_picture());
+  start({scene("default"), "--size", "200x150"});
+  ASSERT_TRUE(wait_for_full_picture());
   driver_->press_key("space");
-  std::this_thread::sleep_for(1s);
+  std::this_thread::sleep_for(7s);  // the message of the saved picture has gone
   const double before = viewer_->cpu_seconds();
   std::this_thread::sleep_for(2s);
   const double share = (viewer_->cpu_seconds() - before) / 2;
@@ -150,7 +150,7 @@ TEST_F(ViewerTest, AnIntegratorParameterChangesTheRender) {
 }
 
 TEST_F(ViewerTest, KeysTypedIntoAFieldDoNothingElse) {
-  start({scene("default")});
+  start({scene("default"), "--size", "200x150"});
   ASSERT_TRUE(wait_for_picture());
   const auto before = read_metadata(save_png());
   driver_->press_key("o", {"Control_L"});
@@ -221,7 +221,7 @@ bool stands_at(const ScreenPicture& screen, const Image& saved, Point corner, in
 
 TEST_F(ViewerTest, F12SavesExactlyWhatIsShown) {
   start({scene("default"), "--size", "400x300"});
-  ASSERT_TRUE(wait_for_picture());
+  ASSERT_TRUE(wait_for_full_picture());
   driver_->press_key("1");  // a picture pixel is a screen pixel
   driver_->press_key("space");
   driver_->move_mouse({5, 700});
@@ -269,7 +269,7 @@ TEST_F(ViewerTest, ShiftF12SavesTheWindow) {
 // -- Files.
 
 TEST_F(ViewerTest, ABrokenSceneThatIsDroppedLeavesThePictureAndSaysWhy) {
-  start({scene("default")});
+  start({scene("default"), "--size", "200x150"});
   ASSERT_TRUE(wait_for_picture());
   std::this_thread::sleep_for(1s);
   const ScreenPicture before = capture();

@@ -15,7 +15,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kBetweenEvents = 25ms;  // longer than a frame of the viewer
+constexpr auto kBetweenEvents = 50ms;  // longer than a frame of the viewer on a busy machine
 
 void pause_between_events() { std::this_thread::sleep_for(kBetweenEvents); }
 
@@ -193,7 +193,9 @@ void X11Driver::press_key(const std::string& name, const std::vector<std::string
 
 void X11Driver::type(const std::string& text) {
   for (const char character : text) {
-    const auto symbol = static_cast<KeySym>(character);  // Latin 1 keysyms are the characters
+    // Latin 1 keysyms are the characters themselves.
+    const KeySym symbol =
+        character == '\n' ? XStringToKeysym("Return") : static_cast<KeySym>(character);
     const KeyCode code = XKeysymToKeycode(impl_->display, symbol);
     const bool shifted = XkbKeycodeToKeysym(impl_->display, code, 0, 0) != symbol;
     if (shifted) hold_key("Shift_L", true);

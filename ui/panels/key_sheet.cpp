@@ -42,7 +42,7 @@ void draw_group(const std::string& title, const std::vector<Entry>& entries) {
   ImGui::TextUnformatted(title.c_str());
   ImGui::PopFont();
   if (!ImGui::BeginTable(title.c_str(), 2)) return;
-  ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, scaled(150));
+  ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, scaled(135));
   ImGui::TableSetupColumn("label");
   for (const Entry& entry : entries) {
     ImGui::TableNextColumn();

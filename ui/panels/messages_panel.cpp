@@ -37,9 +37,11 @@ std::pair<float, bool> draw_message(const Messages::Message& message, ImVec2 low
 
   const Vec2 corner = from_imgui(ImGui::GetWindowPos());
   const float height = ImGui::GetWindowHeight();
-  ImGui::GetWindowDrawList()->AddRectFilled(
-      to_imgui(corner), to_imgui(corner + Vec2(scaled(4), height)), color_of(message.kind),
-      scaled(6), ImDrawFlags_RoundCornersLeft);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRectFullScreen();  // the stripe lies in the padding
+  list.AddRectFilled(to_imgui(corner), to_imgui(corner + Vec2(scaled(5), height)),
+                     color_of(message.kind), scaled(5), ImDrawFlags_RoundCornersLeft);
+  list.PopClipRect();
   const bool clicked = hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
   ImGui::End();
   ImGui::PopStyleVar();

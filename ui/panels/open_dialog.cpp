@@ -97,9 +97,11 @@ void OpenDialog::draw(const RecentFiles& recent,
   draw_places(recent);
   ImGui::EndChild();
   ImGui::SameLine(0, scaled(14));
-  ImGui::BeginChild("entries", {0, -footer});
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel);
+  ImGui::BeginChild("entries", {0, -footer}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
   draw_entries();
   ImGui::EndChild();
+  ImGui::PopStyleColor();
   draw_path_field();
 
   if (pressed(ImGuiKey_Escape)) open_ = false;

@@ -27,8 +27,7 @@ void draw_warnings(const std::vector<std::string>& warnings) {
 void draw_scene_panel(const Document& document) {
   if (!section("Scene")) return;
   if (!document.has_scene()) {
-    wrapped_dim_text("No scene is open. Drop a Mitsuba XML or glTF file on the window, or press " +
-                     shortcut_text(Action::OpenScene) + ".");
+    wrapped_dim_text("None is open. Scenes are Mitsuba XML or glTF 2.0 files.");
     return;
   }
   const Scene& scene = document.scene();
