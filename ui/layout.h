@@ -25,8 +25,8 @@ class Layout {
  private:
   void drag_border(const char* name, float x, float& width, float direction);
 
-  float left_width_ = 292;  // at scale 1
-  float right_width_ = 292;
+  float left_width_ = 308;  // at scale 1
+  float right_width_ = 308;
   Area left_, view_, right_, status_;
 };
 

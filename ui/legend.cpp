@@ -78,14 +78,15 @@ void draw_legend(ImDrawList& list, Vec2 corner, const Picture& picture) {
   const float line = ImGui::GetTextLineHeight();
   const Vec2 bar_size(scaled(14), scaled(170));
   const Vec2 padding(scaled(12), scaled(10));
-  const Vec2 size = Vec2(bar_size.x + scaled(10) + widest, bar_size.y + 2 * line) + 2.0f * padding;
+  const Vec2 size =
+      Vec2(bar_size.x + scaled(10) + widest, bar_size.y + 2.25f * line) + 2.0f * padding;
   const Vec2 low_corner = corner - size - scaled(12);
   list.AddRectFilled(to_imgui(low_corner), to_imgui(low_corner + size), IM_COL32(20, 20, 20, 215),
                      scaled(6));
   const Vec2 top = low_corner + padding;
   list.AddText(to_imgui(top), palette::kDim, unit);
 
-  const Vec2 bar = top + Vec2(0, 1.5f * line);
+  const Vec2 bar = top + Vec2(0, 1.75f * line);
   for (int step = 0; step < kSteps; ++step) {
     const float from = static_cast<float>(step) / kSteps;
     const float to = static_cast<float>(step + 1) / kSteps;

@@ -119,8 +119,8 @@ void Window::install_callbacks() {
   });
 }
 
-/// ImGui looks at keys once per frame, so one that is pressed and released between two frames would be
-/// lost: it is released for ImGui after the next frame.
+/// ImGui looks at keys once per frame, so one that is pressed and released between two frames would
+/// be lost: it is released for ImGui after the next frame.
 void Window::take_key(const Key& key, int action) {
   const bool press_unseen = std::ranges::find(pressed_, key.key, &Key::key) != pressed_.end();
   if (action == GLFW_RELEASE && press_unseen) {

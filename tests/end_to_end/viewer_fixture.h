@@ -15,8 +15,8 @@ namespace guidelight {
 class ViewerTest : public testing::Test {
  protected:
   // Where the view lies between the panels.
-  static constexpr Point kViewCorner{293, 27};
-  static constexpr Point kViewSize{694, 658};
+  static constexpr Point kViewCorner{309, 27};
+  static constexpr Point kViewSize{662, 658};
   static constexpr Point kViewCenter{640, 356};
 
   void SetUp() override;

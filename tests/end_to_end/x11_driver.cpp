@@ -15,9 +15,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kBetweenEvents = 50ms;  // longer than a frame of the viewer on a busy machine
-
-void pause_between_events() { std::this_thread::sleep_for(kBetweenEvents); }
+void pause_between_events() { std::this_thread::sleep_for(X11Driver::kBetweenEvents); }
 
 /// Means of the channels of 16×16 blocks.
 std::vector<double> block_means(const ScreenPicture& picture, Point corner, Point size) {
@@ -153,9 +151,13 @@ void X11Driver::resize_window(Point size) {
 ScreenPicture X11Driver::capture() const {
   XWindowAttributes attributes{};
   XGetWindowAttributes(impl_->display, impl_->root(), &attributes);
-  XImage* image = XGetImage(impl_->display, impl_->root(), 0, 0, attributes.width,
-                            attributes.height, AllPlanes, ZPixmap);
-  ScreenPicture picture{attributes.width, attributes.height, {}};
+  return capture_area({0, 0}, {attributes.width, attributes.height});
+}
+
+ScreenPicture X11Driver::capture_area(Point corner, Point size) const {
+  XImage* image = XGetImage(impl_->display, impl_->root(), corner.x, corner.y, size.x, size.y,
+                            AllPlanes, ZPixmap);
+  ScreenPicture picture{size.x, size.y, {}};
   picture.pixels.reserve(static_cast<size_t>(picture.width) * picture.height);
   for (int y = 0; y < picture.height; ++y) {
     for (int x = 0; x < picture.width; ++x) {

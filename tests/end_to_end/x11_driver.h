@@ -77,6 +77,9 @@ enum class Mouse { Left = 1, Middle = 2, Right = 3, WheelUp = 4, WheelDown = 5 }
 
 class X11Driver {
  public:
+  /// After every event, longer than a frame of the viewer on a busy machine.
+  static constexpr std::chrono::milliseconds kBetweenEvents{50};
+
   explicit X11Driver(const std::string& display);
   ~X11Driver();
   X11Driver(const X11Driver&) = delete;
@@ -89,6 +92,7 @@ class X11Driver {
   void resize_window(Point size);
 
   ScreenPicture capture() const;
+  ScreenPicture capture_area(Point corner, Point size) const;
   /// Waits until the screen stands still for a moment.
   ScreenPicture capture_when_still() const;
 
