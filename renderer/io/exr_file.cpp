@@ -7,6 +7,7 @@
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfStringAttribute.h>
+#include <ImfTileDescription.h>
 
 #include <algorithm>
 #include <array>
@@ -46,8 +47,31 @@ class MemoryStream : public Imf::IStream {
   size_t position_ = 0;
 };
 
+/// The library allocates what an attribute claims before it reads it. Attributes are name, type
+/// (both zero-terminated), size and value; an empty name ends a header.
+void check_attribute_sizes(std::string_view bytes) {
+  size_t at = 8;
+  const auto skip_text = [&] {
+    const size_t end = bytes.find('\0', at);
+    if (end == std::string_view::npos) throw Error("the file ends too early");
+    const bool empty = end == at;
+    at = end + 1;
+    return !empty;
+  };
+  while (skip_text()) {
+    skip_text();
+    uint32_t size = 0;
+    if (bytes.size() - at < sizeof(size)) throw Error("the file ends too early");
+    std::memcpy(&size, bytes.data() + at, sizeof(size));
+    at += sizeof(size);
+    if (size > bytes.size() - at) throw Error("its header is damaged");
+    at += size;
+  }
+}
+
 /// Reads the header alone: opening the file would already allocate tables for the size it claims.
 Imf::Header read_header(std::string_view bytes, const std::string& name) {
+  check_attribute_sizes(bytes);
   MemoryStream stream(bytes, name);
   char magic_and_version[8];
   stream.read(magic_and_version, 8);
@@ -61,6 +85,10 @@ Imf::Header read_header(std::string_view bytes, const std::string& name) {
   int channels = 0;
   for (auto c = header.channels().begin(); c != header.channels().end(); ++c) ++channels;
   check_image_size(width, height, channels, bytes.size());
+  if (header.hasTileDescription()) {
+    const Imf::TileDescription& tile = header.tileDescription();
+    check_image_size(tile.xSize, tile.ySize, channels, bytes.size());
+  }
   return header;
 }
 

@@ -8,8 +8,8 @@ namespace guidelight {
 
 enum class MeshFormat { Obj, Ply };
 
-/// All triangles of a file as one mesh, polygons as fans, texture coordinates as written. Throws Error
-/// Error for Vertices that are equal in everything are shared. Throws Error for anything that
+/// All triangles of a file as one mesh, polygons as fans, texture coordinates as written. Throws
+/// Error Error for Vertices that are equal in everything are shared. Throws Error for anything that
 /// cannot be read.
 Mesh read_mesh_file(const std::string& path, MeshFormat format);
 

@@ -83,12 +83,19 @@ void check_tga(std::string_view bytes) {
   const uint32_t type = little_endian(bytes, 2, 1);
   const bool known = color_map <= 1 && ((type >= 1 && type <= 3) || (type >= 9 && type <= 11));
   if (!known) throw Error("its format is not known");
-  if (type >= 9) return;  // run-length coded: no size to compare with
   const uint64_t pixels = uint64_t{little_endian(bytes, 12, 2)} * little_endian(bytes, 14, 2);
   const uint64_t palette =
       uint64_t{little_endian(bytes, 5, 2)} * ((little_endian(bytes, 7, 1) + 7) / 8);
-  require_size(bytes, 18 + little_endian(bytes, 0, 1) + palette +
-                          pixels * ((little_endian(bytes, 16, 1) + 7) / 8));
+  const uint64_t pixel_bytes = (little_endian(bytes, 16, 1) + 7) / 8;
+  uint64_t at = 18 + little_endian(bytes, 0, 1) + palette;
+  if (type < 9) return require_size(bytes, at + pixels * pixel_bytes);
+  for (uint64_t done = 0; done < pixels;) {  // packets of equal or of different pixels
+    const uint8_t packet = byte_at(bytes, at);
+    const uint64_t count = (packet & 0x7f) + 1;
+    at += 1 + pixel_bytes * (packet & 0x80 ? 1 : count);
+    done += count;
+  }
+  require_size(bytes, at);
 }
 
 }  // namespace
