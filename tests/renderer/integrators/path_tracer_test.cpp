@@ -91,6 +91,25 @@ TEST(PathTracer, disk_light_on_the_axis) {
   expect_color(mean_beauty(scene, 1024), Color(3.0f * 1 / 5), 0.01f);
 }
 
+TEST(PathTracer, one_bright_texel_lights_by_its_solid_angle) {
+  // A floor under an environment of 100×50 texels, black but for one of radiance 100 in row 13:
+  // with θ = π·13.5/50, E = 100·cosθ·(sinθ·π/50·2π/100) and L = ρE/π. Bilinear interpolation
+  // spreads the texel over its neighbours, which changes E by less than 0.5 %.
+  SceneDescription scene = testing::empty_scene(4, 4);
+  const Mat4 flat = glm::rotate(Mat4(1), -kPi / 2, Vec3(1, 0, 0));  // normal +y
+  testing::add_rectangle(scene, flat, testing::add_diffuse(scene, Color(0.5f)));
+  auto image = std::make_shared<Image>(100, 50, 3);
+  for (int c = 0; c < 3; ++c) image->pixel(20, 13)[c] = 1;
+  EnvironmentEmitter sky;
+  sky.image = image;
+  sky.scale = 100;
+  scene.emitters.push_back({"sky", 0, sky});
+  testing::look_at(scene, {0, 3, 0.1f}, Vec3(0), 0.2f);
+  const float theta = kPi * 13.5f / 50;
+  const float irradiance = 100 * std::cos(theta) * std::sin(theta) * (kPi / 50) * (2 * kPi / 100);
+  expect_color(mean_beauty(scene, 4096), Color(0.5f * kInvPi * irradiance), 0.02f);
+}
+
 TEST(PathTracer, mirror_and_glass_pass_the_sky_on) {
   // A lossless mirror or glass ball under uniform radiance is invisible: every path ends in the sky
   // with throughput 1 (the η² of entering and leaving cancel).
