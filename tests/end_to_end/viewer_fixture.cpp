@@ -64,6 +64,23 @@ double ViewerTest::view_brightness() const {
   return mean_brightness(capture(), {kViewCenter.x - 100, kViewCenter.y - 100}, {200, 200});
 }
 
+/// Fields are runs of their colour just inside the panel's right edge.
+Point ViewerTest::field_in_left_panel(size_t index) const {
+  constexpr uint32_t kField = 0x363639;
+  constexpr int kInside = 290;
+  constexpr int kMiddle = 200;
+  constexpr int kLowestHeight = 12;
+  const ScreenPicture screen = capture();
+  std::vector<Point> fields;
+  int begin = 0;
+  for (int y = 0; y < screen.height; ++y) {
+    if (screen.at({kInside, y}) == kField) continue;
+    if (y - begin > kLowestHeight) fields.push_back({kMiddle, (begin + y) / 2});
+    begin = y + 1;
+  }
+  return fields.at(index);
+}
+
 std::string ViewerTest::save_png() {
   const auto pictures = [&] {
     std::vector<fs::path> found;

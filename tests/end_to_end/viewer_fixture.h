@@ -36,6 +36,9 @@ class ViewerTest : public testing::Test {
   double view_difference(const ScreenPicture& before) const;
   double view_brightness() const;
 
+  /// The middle of an input field of the left panel, counted from above.
+  Point field_in_left_panel(size_t index) const;
+
   /// Presses F12 and waits for the file; its path. Empty if none comes.
   std::string save_png();
   uint32_t saved_passes() {

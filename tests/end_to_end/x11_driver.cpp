@@ -75,9 +75,9 @@ struct X11Driver::Impl {
   }
 
   void send_key(KeyCode code, bool down) const {
+    pause_between_events();
     XTestFakeKeyEvent(display, code, down ? True : False, CurrentTime);
     XFlush(display);
-    pause_between_events();
   }
 
   void send_message(Atom type, long a, long b = 0, long c = 0, long d = 0, long e = 0) const {
@@ -208,21 +208,20 @@ void X11Driver::type(const std::string& text) {
 }
 
 void X11Driver::move_mouse(Point to) {
+  pause_between_events();
   XTestFakeMotionEvent(impl_->display, -1, to.x, to.y, CurrentTime);
   XFlush(impl_->display);
-  pause_between_events();
 }
 
 void X11Driver::hold_button(Mouse button, bool down) {
+  pause_between_events();
   XTestFakeButtonEvent(impl_->display, static_cast<unsigned>(button), down ? True : False,
                        CurrentTime);
   XFlush(impl_->display);
-  pause_between_events();
 }
 
 void X11Driver::click(Point at, Mouse button) {
   move_mouse(at);
-  pause_between_events();
   hold_button(button, true);
   hold_button(button, false);
 }

@@ -77,7 +77,7 @@ enum class Mouse { Left = 1, Middle = 2, Right = 3, WheelUp = 4, WheelDown = 5 }
 
 class X11Driver {
  public:
-  /// After every event, longer than a frame of the viewer on a busy machine.
+  /// Before every event, longer than a frame of the viewer on a busy machine.
   static constexpr std::chrono::milliseconds kBetweenEvents{50};
 
   explicit X11Driver(const std::string& display);

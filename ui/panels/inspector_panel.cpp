@@ -62,7 +62,8 @@ void draw_inspector_panel(Document& document, std::optional<glm::ivec2> hovered)
   }
   readout("Pixel", fmt::format("{}, {}", report->x, report->y), "From the upper left corner");
   if (picked) {
-    ImGui::SameLine(ImGui::GetContentRegionAvail().x - scaled(44));
+    const float width = ImGui::CalcTextSize("release").x + 2 * ImGui::GetStyle().FramePadding.x;
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - width);
     if (ImGui::SmallButton("release")) document.view().inspected_pixel.reset();
   }
   draw_values(*report);
