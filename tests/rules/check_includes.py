@@ -34,7 +34,6 @@ HOMES = [
     ("Dear ImGui", r"(imgui/)?imgui(_\w+)?\.h", r"(tests/)?ui/"),
     ("pugixml", r"pugi(xml|config)\.hpp", r"renderer/io/"),
     ("nlohmann-json", r"nlohmann/", r"renderer/io/"),
-    ("assimp", r"assimp/", r"renderer/io/"),
     ("stb", r"(stb/)?stb_\w+\.h", r"renderer/io/"),
     ("OpenEXR", r"(OpenEXR/|Imath/|Imf|Imath)", r"(tests/)?renderer/io/"),
     ("zlib", r"zlib\.h", r"(tests/)?renderer/io/"),
