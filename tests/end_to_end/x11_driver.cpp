@@ -226,12 +226,6 @@ void X11Driver::click(Point at, Mouse button) {
   hold_button(button, false);
 }
 
-void X11Driver::double_click(Point at) {
-  click(at);
-  hold_button(Mouse::Left, true);
-  hold_button(Mouse::Left, false);
-}
-
 void X11Driver::drag(Point from, Point to, Mouse button,
                      const std::vector<std::string>& modifiers) {
   constexpr int kSteps = 12;
