@@ -91,6 +91,7 @@ class Document {
   /// Changes to another algorithm with its own defaults for the scene.
   void set_integrator(const std::string& name);
   void restart() { restart_pending_ = has_scene(); }
+  bool restart_pending() const { return restart_pending_; }
   void set_paused(bool paused);
   bool paused() const { return paused_; }
 

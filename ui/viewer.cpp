@@ -29,8 +29,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::microseconds kShortestFrame{16'000};
-constexpr double kLongestSleep = 5;     // [s] when nothing happens …
-constexpr double kShortSleep = 0.5;     // … and when a message or a text cursor is shown
+constexpr double kLongSleep = 5;        // [s] when nothing happens …
+constexpr double kShortSleep = 0.5;     // … while a message or a text cursor is shown …
+constexpr double kBriefSleep = 0.05;    // … and while the camera waits for the render
 constexpr int kFramesAfterEvent = 2;    // ImGui needs a second one to settle
 constexpr float kExposureStep = 0.25f;  // [EV]
 constexpr float kScaleStep = 1.1f;
@@ -50,6 +51,7 @@ class Viewer {
   void draw_view();
   void update_title();
   void wait_for_next_frame(Clock::time_point last_frame);
+  double seconds_to_sleep() const;
 
   void handle_key(int key, int modifiers);
   void handle_drop(const std::vector<std::string>& paths);
@@ -132,12 +134,17 @@ void Viewer::run() {
 /// Sleeps until something happens; no more than sixty frames are drawn in a second.
 void Viewer::wait_for_next_frame(Clock::time_point last_frame) {
   if (--frames_due_ <= 0 && !view_.animating()) {
-    const bool calm = document_.messages().shown().empty() && !ImGui::GetIO().WantTextInput;
-    window_.wait_events(calm ? kLongestSleep : kShortSleep);
+    window_.wait_events(seconds_to_sleep());
     frames_due_ = kFramesAfterEvent;
   }
   std::this_thread::sleep_until(last_frame + kShortestFrame);
   window_.wait_events(0);
+}
+
+double Viewer::seconds_to_sleep() const {
+  if (document_.restart_pending()) return kBriefSleep;
+  const bool calm = document_.messages().shown().empty() && !ImGui::GetIO().WantTextInput;
+  return calm ? kLongSleep : kShortSleep;
 }
 
 void Viewer::update_title() {

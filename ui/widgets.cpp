@@ -101,7 +101,7 @@ void wrapped_dim_text(const std::string& text) {
 }
 
 void tooltip(const std::string& text) {
-  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  if (ImGui::IsItemActive() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {scaled(10), scaled(7)});
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(scaled(360));

@@ -17,9 +17,12 @@ namespace {
 
 using namespace std::chrono_literals;
 
+enum class Talk { Shown, Silenced };
+
 /// Starts a program that dies with this process. Returns its process id.
 pid_t start_program(const std::vector<std::string>& command,
-                    const std::vector<std::string>& environment, const std::string& folder) {
+                    const std::vector<std::string>& environment, const std::string& folder,
+                    Talk talk) {
   std::vector<char*> arguments;
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
@@ -27,6 +30,7 @@ pid_t start_program(const std::vector<std::string>& command,
   if (pid != 0) return pid;
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   for (const std::string& variable : environment) putenv(const_cast<char*>(variable.c_str()));
+  if (talk == Talk::Silenced) dup2(open("/dev/null", O_WRONLY), STDERR_FILENO);
   if (!folder.empty() && chdir(folder.c_str()) != 0) _exit(126);
   execvp(arguments[0], arguments.data());
   _exit(127);
@@ -62,7 +66,7 @@ bool wait_until(const std::function<bool()>& condition, std::chrono::millisecond
 
 ChildProcess::ChildProcess(const std::vector<std::string>& command,
                            const std::vector<std::string>& environment, const std::string& folder)
-    : pid_(start_program(command, environment, folder)) {}
+    : pid_(start_program(command, environment, folder, Talk::Shown)) {}
 
 ChildProcess::~ChildProcess() {
   if (!status_) end_program(pid_);
@@ -101,7 +105,7 @@ std::unique_ptr<VirtualDisplay> VirtualDisplay::start(int width, int height) {
   const std::string screen = std::to_string(width) + "x" + std::to_string(height) + "x24";
   const pid_t pid = start_program({"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0",
                                    screen, "-nolisten", "tcp", "-noreset"},
-                                  {}, "");
+                                  {}, "", Talk::Silenced);
   close(ends[1]);
   const std::string number = read_display_number(ends[0]);
   close(ends[0]);

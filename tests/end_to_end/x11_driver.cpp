@@ -222,14 +222,10 @@ void X11Driver::hold_button(Mouse button, bool down) {
 
 void X11Driver::click(Point at, Mouse button) {
   move_mouse(at);
+  pause_between_events();  // the viewer must have seen where the mouse is
   hold_button(button, true);
+  pause_between_events();
   hold_button(button, false);
-}
-
-void X11Driver::double_click(Point at) {
-  click(at);
-  hold_button(Mouse::Left, true);
-  hold_button(Mouse::Left, false);
 }
 
 void X11Driver::drag(Point from, Point to, Mouse button,

@@ -104,7 +104,6 @@ class X11Driver {
   void move_mouse(Point to);
   void hold_button(Mouse button, bool down);
   void click(Point at, Mouse button = Mouse::Left);
-  void double_click(Point at);
   void drag(Point from, Point to, Mouse button, const std::vector<std::string>& modifiers = {});
 
   /// Drops a file on the window as a file manager does (XDnD version 5); false if it was refused.
