@@ -4,7 +4,7 @@
 #include <map>
 
 #include "renderer/error.h"
-#include "renderer/io/scene_file.h"
+#include "renderer/session/open_scene.h"
 
 namespace guidelight {
 
@@ -19,7 +19,7 @@ void SceneArguments::add_to(CLI::App& command, bool required) {
 std::shared_ptr<const SceneDescription> SceneArguments::read() const {
   std::map<std::string, std::string> variables;
   for (const std::string& define : defines) variables.insert(split_assignment("-D", define));
-  auto description = std::make_shared<SceneDescription>(read_scene(path, variables));
+  const auto description = open_scene(path, variables);
   if (!size.empty()) {
     const std::vector<int> numbers = split_numbers("--size", size, 'x', 2);
     description->film.width = numbers[0];

@@ -1,3 +1,7 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+
 #include "app/commands.h"
 #include "app/scene_arguments.h"
 #include "ui/viewer.h"
@@ -8,7 +12,18 @@ namespace {
 struct ViewArguments {
   SceneArguments scene;
   ViewerOptions options;
+  bool frame_times = false;
 };
+
+void print_frame_times(std::vector<double> seconds) {
+  if (seconds.empty()) return;
+  std::ranges::sort(seconds);
+  const auto at = [&](double share) {
+    return 1e3 * seconds[static_cast<size_t>(share * static_cast<double>(seconds.size() - 1))];
+  };
+  fmt::print("{} frames: median {:.1f} ms, 95 % below {:.1f} ms, longest {:.1f} ms\n",
+             seconds.size(), at(0.5), at(0.95), at(1));
+}
 
 int open_window(ViewArguments& arguments) {
   ViewerOptions& options = arguments.options;
@@ -21,7 +36,11 @@ int open_window(ViewArguments& arguments) {
     options.width = size[0];
     options.height = size[1];
   }
-  return run_viewer(options);
+  std::vector<double> frames;
+  if (arguments.frame_times) options.on_frame = [&](double seconds) { frames.push_back(seconds); };
+  const int status = run_viewer(options);
+  print_frame_times(std::move(frames));
+  return status;
 }
 
 }  // namespace
@@ -37,6 +56,8 @@ void add_view_command(CLI::App& app) {
   command
       ->add_option("--ui-scale", arguments->options.ui_scale, "Size of the interface, 1 is normal")
       ->check(CLI::Range(0.5f, 4.0f));
+  command->add_flag("--frame-times", arguments->frame_times,
+                    "Print how long the frames of the interface took, at the end");
   command->callback([arguments] { open_window(*arguments); });
 }
 

@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "renderer/error.h"
-#include "renderer/io/scene_file.h"
+#include "renderer/session/open_scene.h"
 
 namespace guidelight {
 namespace {
@@ -14,8 +14,7 @@ namespace {
 OpenedScene read_and_build(const std::string& path,
                            const std::map<std::string, std::string>& defines) {
   const std::string absolute = std::filesystem::absolute(path).lexically_normal().string();
-  auto description = std::make_shared<const SceneDescription>(read_scene(absolute, defines));
-  return {absolute, defines, Scene::build(std::move(description))};
+  return {absolute, defines, Scene::build(open_scene(absolute, defines))};
 }
 
 }  // namespace

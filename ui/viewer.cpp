@@ -68,6 +68,7 @@ class Viewer {
   PictureDeveloper developer_;
   RenderView view_{window_};
   Exporter exporter_;
+  std::function<void(double seconds)> on_frame_;
   RecentFiles recent_;
   OpenDialog open_dialog_;
   Layout layout_;
@@ -101,7 +102,8 @@ Viewer::Viewer(const ViewerOptions& options)
       developer_(
           *queue_,
           [this](std::shared_ptr<const Picture> picture) { view_.show(std::move(picture)); }),
-      exporter_(document_, *queue_, current_folder()) {
+      exporter_(document_, *queue_, current_folder()),
+      on_frame_(options.on_frame) {
   RenderSettings overrides;
   overrides.integrator = options.integrator;
   overrides.width = options.width;
@@ -128,6 +130,7 @@ void Viewer::run() {
     }
     update_title();
     draw_frame();
+    if (on_frame_) on_frame_(std::chrono::duration<double>(Clock::now() - frame_began).count());
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 
@@ -15,7 +16,8 @@ struct ViewerOptions {
   int height = 0;
   int threads = 0;  // 0: all
   uint64_t seed = 0;
-  float ui_scale = 0;  // 0: as the monitor says
+  float ui_scale = 0;                            // 0: as the monitor says
+  std::function<void(double seconds)> on_frame;  // told how long each frame took, for benchmarks
 };
 
 /// Opens the window and returns when it is closed: the exit status of the program, 0.
