@@ -25,7 +25,19 @@ void ViewerTest::SetUp() {
   fs::create_directories(folder_);
 }
 
+/// After a failure the window is left as a picture beside the test's temporary files.
 void ViewerTest::TearDown() {
+  if (HasFailure() && driver_) {
+    const ScreenPicture screen = capture();
+    DisplayImage image{screen.width, screen.height, {}};
+    for (const uint32_t pixel : screen.pixels) {
+      const auto channel = [&](int shift) { return static_cast<uint8_t>(pixel >> shift & 255); };
+      image.rgba.insert(image.rgba.end(), {channel(16), channel(8), channel(0), 255});
+    }
+    const std::string path = folder_.string() + ".png";
+    write_png(path, image);
+    std::printf("the window when the test failed: %s\n", path.c_str());
+  }
   driver_.reset();
   viewer_.reset();
   display_.reset();
@@ -65,6 +77,13 @@ double ViewerTest::view_brightness() const {
   return mean_brightness(capture(), {kViewCenter.x - 100, kViewCenter.y - 100}, {200, 200});
 }
 
+bool ViewerTest::change_view(const std::function<void()>& act) const {
+  constexpr double kMoreThanNoise = 4;
+  const ScreenPicture before = capture();
+  act();
+  return wait_until([&] { return view_difference(before) > kMoreThanNoise; });
+}
+
 /// Fields are runs of their colour just inside the panel's right edge.
 Point ViewerTest::field_in_left_panel(size_t index) const {
   constexpr uint32_t kField = 0x363639;
@@ -91,8 +110,11 @@ std::string ViewerTest::save_png() {
     return found;
   };
   const size_t before = pictures().size();
-  driver_->press_key("F12");
-  if (!wait_until([&] { return pictures().size() > before; })) return "";
+  const bool saved = wait_until([&] {
+    driver_->press_key("F12");  // a key may go to a text field that is about to close
+    return wait_until([&] { return pictures().size() > before; }, 2s);
+  });
+  if (!saved) return "";
   const auto all = pictures();
   return std::ranges::max_element(all, {},
                                   [](const fs::path& path) { return fs::last_write_time(path); })

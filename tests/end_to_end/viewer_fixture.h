@@ -35,11 +35,13 @@ class ViewerTest : public testing::Test {
   /// How different the view looks from an earlier capture, noise apart.
   double view_difference(const ScreenPicture& before) const;
   double view_brightness() const;
+  /// Does something that changes the view, a dialog for instance, and waits until it has.
+  bool change_view(const std::function<void()>& act) const;
 
   /// The middle of an input field of the left panel, counted from above.
   Point field_in_left_panel(size_t index) const;
 
-  /// Presses F12 and waits for the file; its path. Empty if none comes.
+  /// Presses F12 until a file comes; its path. Empty if none comes.
   std::string save_png();
   uint32_t saved_passes() {
     return static_cast<uint32_t>(std::stoul(read_metadata(save_png()).at("passes")));
