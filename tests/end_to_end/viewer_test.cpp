@@ -363,6 +363,7 @@ TEST_F(ViewerTest, TheOpenDialogWorksByKeyboard) {
   driver_->press_key("End");
   driver_->type("second.xml\n");
   ASSERT_TRUE(wait_until([&] { return driver_->title() == "second — Guidelight"; }));
+  std::this_thread::sleep_for(1s);  // the title changes before the dialog has left the screen
 
   ASSERT_TRUE(change_view(open_dialog));
   // The folder "state" comes first, then the two scenes.
