@@ -40,8 +40,7 @@ ViewSettings::ViewSettings() {
 }
 
 size_t ViewSettings::slot() const {
-  const bool radiance = layer == Layer::Direct || layer == Layer::Indirect;
-  return static_cast<size_t>(radiance ? Layer::Beauty : layer);
+  return static_cast<size_t>(is_radiance_layer(layer) ? Layer::Beauty : layer);
 }
 
 // -- The scene.

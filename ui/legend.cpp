@@ -24,6 +24,9 @@ const char* layer_unit(Layer layer) {
     case Layer::Beauty:
     case Layer::Direct:
     case Layer::Indirect:
+    case Layer::Caustic:
+    case Layer::Connection:
+    case Layer::Merging:
       return "W/(m² sr)";
     case Layer::Variance:
       return "(W/(m² sr))²";
@@ -46,6 +49,12 @@ const char* layer_label(Layer layer) {
       return "Direct light";
     case Layer::Indirect:
       return "Indirect light";
+    case Layer::Caustic:
+      return "Caustics";
+    case Layer::Connection:
+      return "Connections";
+    case Layer::Merging:
+      return "Merging";
     case Layer::Albedo:
       return "Albedo";
     case Layer::Normal:

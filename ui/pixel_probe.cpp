@@ -31,6 +31,8 @@ std::optional<PixelReport> probe_pixel(const Scene& scene, const Snapshot& snaps
   report.radiance = value(Layer::Beauty);
   report.direct = value(Layer::Direct);
   report.indirect = value(Layer::Indirect);
+  report.caustic = value(Layer::Caustic);
+  report.merging = value(Layer::Merging);
   report.albedo = value(Layer::Albedo);
   report.normal = value(Layer::Normal);
   report.depth = value(Layer::Depth).r;

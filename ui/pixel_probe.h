@@ -24,6 +24,8 @@ struct PixelReport {
   Color radiance{0};
   Color direct{0};
   Color indirect{0};
+  Color caustic{0};
+  Color merging{0};
   Color albedo{0};
   Vec3 normal{0};
   float depth = 0;

@@ -8,14 +8,6 @@
 
 namespace guidelight {
 
-const char* layer_name(Layer layer) {
-  static constexpr const char* kNames[kLayerCount] = {
-      "beauty", "direct", "indirect", "albedo", "normal", "depth", "sample_count", "variance"};
-  return kNames[static_cast<size_t>(layer)];
-}
-
-int layer_channels(Layer layer) { return layer >= Layer::Depth ? 1 : 3; }
-
 Film::Film(int width, int height, const FilterSettings& filter)
     : width_(width), height_(height), filter_(filter) {
   if (width <= 0 || height <= 0) {
@@ -25,18 +17,24 @@ Film::Film(int width, int height, const FilterSettings& filter)
   pixels_.resize(static_cast<size_t>(width) * height);
 }
 
+// -- Samples and splats.
+
 void Film::add_sample(int x, int y, const FilmSample& sample) {
-  Pixel& pixel = pixels_[index(x, y)];
+  const size_t i = index(x, y);
+  Pixel& pixel = pixels_[i];
   ++pixel.samples;
+  if (has_splats()) ++statistics_[i].samples;
   const Color beauty = sample.direct + sample.indirect;
-  if (!is_finite(beauty)) {
+  if (!is_finite(beauty + sample.caustic + sample.merging)) {
     ++pixel.rejected;
     return;
   }
   const double weight = sample.filter_weight;
   for (int c = 0; c < 3; ++c) {
-    pixel.direct[c] += weight * sample.direct[c];
-    pixel.indirect[c] += weight * sample.indirect[c];
+    pixel.radiance.direct[c] += weight * sample.direct[c];
+    pixel.radiance.indirect[c] += weight * sample.indirect[c];
+    pixel.radiance.caustic[c] += weight * sample.caustic[c];
+    pixel.radiance.merging[c] += weight * sample.merging[c];
     pixel.albedo[c] += weight * sample.albedo[c];
     pixel.normal[c] += weight * sample.normal[c];
   }
@@ -44,104 +42,209 @@ void Film::add_sample(int x, int y, const FilmSample& sample) {
     pixel.depth += sample.depth;
     ++pixel.hits;
   }
-  pixel.luminance_squared += sqr(weight * luminance(beauty));
+  const double y_weighted = weight * luminance(beauty);
+  pixel.luminance_squared += sqr(y_weighted);
+  if (has_splats()) statistics_[i].sample_sum += static_cast<float>(y_weighted);
 }
 
 void Film::prepare_splats() {
-  if (splats_.empty()) splats_.resize(3 * pixels_.size());
+  if (has_splats()) return;
+  splats_.resize(pixels_.size());
+  statistics_.resize(pixels_.size());
 }
 
-void Film::add_splat(Vec2 raster, Color contribution, Vec2 u) {
-  // As a camera sample belongs to one pixel, so does a splat: the filter chooses which.
-  const Filter::PixelChoice x = filter_.choose_pixel(raster.x, u.x);
-  const Filter::PixelChoice y = filter_.choose_pixel(raster.y, u.y);
-  if (x.pixel < 0 || y.pixel < 0 || x.pixel >= width_ || y.pixel >= height_) return;
-  if (!is_finite(contribution)) return;
-  double* sums = &splats_[3 * index(x.pixel, y.pixel)];
-  const double weight = static_cast<double>(x.weight) * y.weight;
-  for (int c = 0; c < 3; ++c) {
-    std::atomic_ref(sums[c]).fetch_add(weight * contribution[c], std::memory_order_relaxed);
-  }
+namespace {
+
+template <typename Number>
+void add_atomically(Number& sum, Number value) {
+  std::atomic_ref(sum).fetch_add(value, std::memory_order_relaxed);
 }
+
+void add_atomically(double (&sums)[3], double weight, Color color) {
+  for (int c = 0; c < 3; ++c) add_atomically(sums[c], weight * color[c]);
+}
+
+}  // namespace
+
+void Film::add_splat(const Splat& splat, Vec2 u) {
+  // As a camera sample belongs to one pixel, so does a splat: the filter chooses which.
+  const Filter::PixelChoice x = filter_.choose_pixel(splat.raster.x, u.x);
+  const Filter::PixelChoice y = filter_.choose_pixel(splat.raster.y, u.y);
+  if (x.pixel < 0 || y.pixel < 0 || x.pixel >= width_ || y.pixel >= height_) return;
+  if (!is_finite(splat.contribution)) {
+    add_atomically(rejected_splats_, uint64_t{1});
+    return;
+  }
+  const size_t i = index(x.pixel, y.pixel);
+  const double weight = static_cast<double>(x.weight) * y.weight;
+  Radiance& sums = splats_[i];
+  add_atomically(splat.direct ? sums.direct : sums.indirect, weight, splat.contribution);
+  if (splat.caustic) add_atomically(sums.caustic, weight, splat.contribution);
+  add_atomically(statistics_[i].splat_sum,
+                 static_cast<float>(weight * luminance(splat.contribution)));
+}
+
+void Film::add_splat_count(uint64_t light_paths) { add_atomically(splat_count_, light_paths); }
+
+double Film::splat_scale(uint64_t light_paths) const {
+  return light_paths > 0 ? static_cast<double>(pixels_.size()) / light_paths : 0.0;
+}
+
+void Film::finish_pass() {
+  if (!has_splats()) return;
+  const double scale = splat_scale(splat_count_ - finished_splat_count_);
+  for (PassStatistics& pass : statistics_) {
+    const double mean_sample = pass.samples > 0 ? pass.sample_sum / pass.samples : 0.0;
+    const double estimate = mean_sample + scale * pass.splat_sum;
+    pass = {.sum = pass.sum + estimate, .squares = pass.squares + sqr(estimate)};
+  }
+  finished_splat_count_ = splat_count_;
+  ++finished_passes_;
+}
+
+// -- Sums.
+
+template <typename Visit, typename... Radiances>
+void Film::visit_radiance(Visit&& visit, Radiances&... radiance) {
+  for (int c = 0; c < 3; ++c) visit(radiance.direct[c]...);
+  for (int c = 0; c < 3; ++c) visit(radiance.indirect[c]...);
+  for (int c = 0; c < 3; ++c) visit(radiance.caustic[c]...);
+  for (int c = 0; c < 3; ++c) visit(radiance.merging[c]...);
+}
+
+template <typename Visit, typename... Pixels>
+void Film::visit_pixel(Visit&& visit, Pixels&... pixel) {
+  visit_radiance(visit, pixel.radiance...);
+  for (int c = 0; c < 3; ++c) visit(pixel.albedo[c]...);
+  for (int c = 0; c < 3; ++c) visit(pixel.normal[c]...);
+  visit(pixel.depth...);
+  visit(pixel.luminance_squared...);
+  visit(pixel.hits...);
+  visit(pixel.samples...);
+  visit(pixel.rejected...);
+}
+
+template <typename Visit, typename... Films>
+void Film::visit_splats(Visit&& visit, size_t i, Films&... film) {
+  visit_radiance(visit, film.splats_[i]...);
+  visit(film.statistics_[i].sum...);
+  visit(film.statistics_[i].squares...);
+}
+
+namespace {
+
+// Numbers of the state, as the functions above list them.
+constexpr size_t kFilmState = 3;
+constexpr size_t kPixelState = 23;
+constexpr size_t kSplatState = 14;  // of each pixel of a film with splats
+
+}  // namespace
 
 void Film::merge(const Film& other) {
   if (other.width_ != width_ || other.height_ != height_) {
     throw Error("films of {}x{} and {}x{} pixels cannot be merged: render both at one size", width_,
                 height_, other.width_, other.height_);
   }
-  for (size_t i = 0; i < pixels_.size(); ++i) pixels_[i] += other.pixels_[i];
-  if (!other.splats_.empty()) {
-    prepare_splats();
-    for (size_t i = 0; i < splats_.size(); ++i) splats_[i] += other.splats_[i];
-  }
+  const auto add = [](auto& sum, const auto& more) { sum += more; };
+  for (size_t i = 0; i < pixels_.size(); ++i) visit_pixel(add, pixels_[i], other.pixels_[i]);
+  if (!other.has_splats()) return;
+  prepare_splats();
+  for (size_t i = 0; i < pixels_.size(); ++i) visit_splats(add, i, *this, other);
   splat_count_ += other.splat_count_;
+  finished_splat_count_ += other.splat_count_;
+  finished_passes_ += other.finished_passes_;
+  rejected_splats_ += other.rejected_splats_;
 }
 
-void Film::clear() {
-  std::fill(pixels_.begin(), pixels_.end(), Pixel{});
-  std::fill(splats_.begin(), splats_.end(), 0.0);
-  splat_count_ = 0;
+void Film::clear() { *this = Film(width_, height_, filter_.settings()); }
+
+std::vector<double> Film::state() const {
+  std::vector<double> result;
+  result.reserve(kFilmState + kPixelState * pixels_.size() + kSplatState * splats_.size());
+  const auto store = [&](auto value) { result.push_back(static_cast<double>(value)); };
+  store(splat_count_);
+  store(finished_passes_);
+  store(rejected_splats_);
+  for (const Pixel& pixel : pixels_) visit_pixel(store, pixel);
+  for (size_t i = 0; i < splats_.size(); ++i) visit_splats(store, i, *this);
+  return result;
 }
 
-Film::Pixel& Film::Pixel::operator+=(const Pixel& other) {
-  for (int c = 0; c < 3; ++c) {
-    direct[c] += other.direct[c];
-    indirect[c] += other.indirect[c];
-    albedo[c] += other.albedo[c];
-    normal[c] += other.normal[c];
+void Film::restore(std::span<const double> state) {
+  const size_t without_splats = kFilmState + kPixelState * pixels_.size();
+  const bool splats = state.size() == without_splats + kSplatState * pixels_.size();
+  if (!splats && state.size() != without_splats) {
+    throw Error("the saved film does not have {}x{} pixels: resume at the size it was saved at",
+                width_, height_);
   }
-  depth += other.depth;
-  luminance_squared += other.luminance_squared;
-  hits += other.hits;
-  samples += other.samples;
-  rejected += other.rejected;
-  return *this;
+  clear();
+  if (splats) prepare_splats();
+  const double* next = state.data();
+  const auto load = [&](auto& value) {
+    value = static_cast<std::remove_reference_t<decltype(value)>>(*next++);
+  };
+  load(splat_count_);
+  load(finished_passes_);
+  load(rejected_splats_);
+  for (Pixel& pixel : pixels_) visit_pixel(load, pixel);
+  for (size_t i = 0; i < splats_.size(); ++i) visit_splats(load, i, *this);
+  finished_splat_count_ = splat_count_;
 }
 
-namespace {
+// -- Pictures and figures.
 
-void store(float* out, const double (&sums)[3], double scale) {
-  for (int c = 0; c < 3; ++c) out[c] = static_cast<float>(sums[c] * scale);
-}
-
-}  // namespace
-
-double Film::mean_luminance(const Pixel& pixel) {
-  const auto sum = [&](int c) { return pixel.direct[c] + pixel.indirect[c]; };
-  return (0.2126 * sum(0) + 0.7152 * sum(1) + 0.0722 * sum(2)) / pixel.samples;
-}
-
-double Film::mean_variance(const Pixel& pixel) {
-  if (pixel.samples < 2) return 0;
-  const double n = pixel.samples;
-  return std::max(0.0, pixel.luminance_squared / n - sqr(mean_luminance(pixel))) / (n - 1);
+Film::Estimates Film::estimates(size_t i) const {
+  const Pixel& pixel = pixels_[i];
+  const auto beauty = [&](int c) { return pixel.radiance.direct[c] + pixel.radiance.indirect[c]; };
+  const uint64_t count = has_splats() ? finished_passes_ : pixel.samples;
+  if (count == 0) return {};
+  const double n = static_cast<double>(count);
+  const double mean =
+      (has_splats() ? statistics_[i].sum
+                    : 0.2126 * beauty(0) + 0.7152 * beauty(1) + 0.0722 * beauty(2)) /
+      n;
+  const double squares = has_splats() ? statistics_[i].squares : pixel.luminance_squared;
+  const double variance = count > 1 ? std::max(0.0, squares / n - sqr(mean)) / (n - 1) : 0.0;
+  return {count, mean, variance};
 }
 
 void Film::develop_pixel(Layer layer, size_t i, float* out) const {
   const Pixel& pixel = pixels_[i];
   const double scale = pixel.samples > 0 ? 1.0 / pixel.samples : 0.0;
+  const auto store = [&](auto&& value_of) {
+    for (int c = 0; c < 3; ++c) out[c] = static_cast<float>(value_of(c));
+  };
+  const auto radiance = [&](auto&& sum_of) {
+    if (!has_splats()) return store([&](int c) { return sum_of(pixel.radiance, c) * scale; });
+    const double per_path = splat_scale(splat_count_);
+    store([&](int c) {
+      return sum_of(pixel.radiance, c) * scale + sum_of(splats_[i], c) * per_path;
+    });
+  };
   switch (layer) {
-    case Layer::Beauty: {
-      const double splat_scale =
-          splat_count_ > 0 ? static_cast<double>(pixels_.size()) / splat_count_ : 0.0;
-      for (int c = 0; c < 3; ++c) {
-        double value = (pixel.direct[c] + pixel.indirect[c]) * scale;
-        if (!splats_.empty()) value += splats_[3 * i + c] * splat_scale;
-        out[c] = static_cast<float>(value);
-      }
+    case Layer::Beauty:
+      radiance([](const Radiance& r, int c) { return r.direct[c] + r.indirect[c]; });
       break;
-    }
     case Layer::Direct:
-      store(out, pixel.direct, scale);
+      radiance([](const Radiance& r, int c) { return r.direct[c]; });
       break;
     case Layer::Indirect:
-      store(out, pixel.indirect, scale);
+      radiance([](const Radiance& r, int c) { return r.indirect[c]; });
+      break;
+    case Layer::Caustic:
+      radiance([](const Radiance& r, int c) { return r.caustic[c]; });
+      break;
+    case Layer::Connection:
+      radiance([](const Radiance& r, int c) { return r.direct[c] + r.indirect[c] - r.merging[c]; });
+      break;
+    case Layer::Merging:
+      radiance([](const Radiance& r, int c) { return r.merging[c]; });
       break;
     case Layer::Albedo:
-      store(out, pixel.albedo, scale);
+      store([&](int c) { return pixel.albedo[c] * scale; });
       break;
     case Layer::Normal:
-      store(out, pixel.normal, scale);
+      store([&](int c) { return pixel.normal[c] * scale; });
       break;
     case Layer::Depth:
       out[0] = pixel.hits ? static_cast<float>(pixel.depth / pixel.hits) : 0;
@@ -150,7 +253,7 @@ void Film::develop_pixel(Layer layer, size_t i, float* out) const {
       out[0] = static_cast<float>(pixel.samples);
       break;
     case Layer::Variance:
-      out[0] = static_cast<float>(mean_variance(pixel));
+      out[0] = static_cast<float>(estimates(i).variance);
       break;
   }
 }
@@ -168,52 +271,6 @@ void Film::develop_rows(Layer layer, int y0, int y1, Image& out) const {
   }
 }
 
-namespace {
-
-constexpr size_t kPixelState = 17;  // numbers per pixel, as visit_state lists them
-constexpr size_t kSplatState = 3;
-
-}  // namespace
-
-template <typename AnyPixel, typename Visit>
-void Film::visit_state(AnyPixel& pixel, Visit&& visit) {
-  for (auto* triple : {&pixel.direct, &pixel.indirect, &pixel.albedo, &pixel.normal}) {
-    for (auto& value : *triple) visit(value);
-  }
-  visit(pixel.depth);
-  visit(pixel.luminance_squared);
-  visit(pixel.hits);
-  visit(pixel.samples);
-  visit(pixel.rejected);
-}
-
-std::vector<double> Film::state() const {
-  std::vector<double> result;
-  result.reserve(1 + kPixelState * pixels_.size() + splats_.size());
-  result.push_back(static_cast<double>(splat_count_));
-  for (const Pixel& pixel : pixels_) {
-    visit_state(pixel, [&](auto value) { result.push_back(static_cast<double>(value)); });
-  }
-  result.insert(result.end(), splats_.begin(), splats_.end());
-  return result;
-}
-
-void Film::restore(std::span<const double> state) {
-  const size_t pixels = 1 + kPixelState * pixels_.size();
-  if (state.size() != pixels && state.size() != pixels + kSplatState * pixels_.size()) {
-    throw Error("the saved film does not have {}x{} pixels: resume at the size it was saved at",
-                width_, height_);
-  }
-  const double* next = state.data();
-  splat_count_ = static_cast<uint64_t>(*next++);
-  for (Pixel& pixel : pixels_) {
-    visit_state(pixel, [&](auto& value) {
-      value = static_cast<std::remove_reference_t<decltype(value)>>(*next++);
-    });
-  }
-  splats_.assign(next, state.data() + state.size());
-}
-
 uint64_t Film::total_samples() const {
   uint64_t sum = 0;
   for (const Pixel& pixel : pixels_) sum += pixel.samples;
@@ -221,7 +278,7 @@ uint64_t Film::total_samples() const {
 }
 
 uint64_t Film::rejected() const {
-  uint64_t sum = 0;
+  uint64_t sum = rejected_splats_;
   for (const Pixel& pixel : pixels_) sum += pixel.rejected;
   return sum;
 }
@@ -231,17 +288,18 @@ double Film::estimated_relative_error() const {
   // the picture's mean.
   double picture_mean = 0;
   size_t covered = 0;
-  for (const Pixel& pixel : pixels_) {
-    if (pixel.samples == 0) continue;
-    picture_mean += mean_luminance(pixel);
-    ++covered;
+  for (size_t i = 0; i < pixels_.size(); ++i) {
+    const Estimates pixel = estimates(i);
+    picture_mean += pixel.mean;
+    if (pixel.count > 0) ++covered;
   }
   if (covered == 0 || picture_mean <= 0) return 0;
   picture_mean /= static_cast<double>(covered);
   double sum = 0;
-  for (const Pixel& pixel : pixels_) {
-    if (pixel.samples < 2) continue;
-    sum += std::sqrt(mean_variance(pixel)) / std::max(mean_luminance(pixel), 0.01 * picture_mean);
+  for (size_t i = 0; i < pixels_.size(); ++i) {
+    const Estimates pixel = estimates(i);
+    if (pixel.count > 1)
+      sum += std::sqrt(pixel.variance) / std::max(pixel.mean, 0.01 * picture_mean);
   }
   return sum / static_cast<double>(covered);
 }

@@ -1,47 +1,45 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "renderer/image/filter.h"
 #include "renderer/image/image.h"
+#include "renderer/image/layer.h"
 
 namespace guidelight {
 
-/// The pictures a film develops. Colour layers have 3 channels, the others 1.
-enum class Layer {
-  Beauty,
-  Direct,    // emitters seen directly and light after one scattering
-  Indirect,  // the rest; beauty = direct + indirect
-  Albedo,
-  Normal,  // world space, -1..1, of the first hit
-  Depth,   // distance from the camera along the ray [scene units], mean over samples that hit
-  SampleCount,
-  Variance,  // of the pixel mean, luminance of beauty
-};
-inline constexpr int kLayerCount = 8;
-inline constexpr std::array<Layer, kLayerCount> kAllLayers = {
-    Layer::Beauty, Layer::Direct, Layer::Indirect,    Layer::Albedo,
-    Layer::Normal, Layer::Depth,  Layer::SampleCount, Layer::Variance};
-
-/// Lower-case name for files and menus, e.g. "sample_count".
-const char* layer_name(Layer layer);
-int layer_channels(Layer layer);
-
-/// What one camera sample saw. `weight` of the pixel filter multiplies all radiances.
+/// What one camera sample saw: beauty is direct + indirect. `weight` of the pixel filter multiplies
+/// all radiances.
 struct FilmSample {
   Color direct{0.0f};
   Color indirect{0.0f};
+  /// The part of `indirect` that went from the light by one or more specular bounces to a vertex
+  /// that is not specular, and from there to the camera, directly or by specular bounces: L S⁺ D S*
+  /// E in the notation of Heckbert (1990), D being whatever is not specular.
+  Color caustic{0.0f};
+  /// The part of direct + indirect that was found by merging vertices.
+  Color merging{0.0f};
   Color albedo{0.0f};
   Vec3 normal{0.0f};
   float depth = kInfinity;  // infinity: nothing was hit
   float filter_weight = 1;
 };
 
+/// What a light path brought to the camera.
+struct Splat {
+  Vec2 raster{0.0f};
+  Color contribution{0.0f};
+  bool direct = false;   // else indirect
+  bool caustic = false;  // as FilmSample::caustic; never together with direct
+};
+
 /// Sums of samples per pixel in double precision, and of splats from light paths. Different pixels
 /// may be written by different threads at once; splats may be added from anywhere.
+///
+/// The samples of a pixel are independent, and their variance is known without further ado. Splats
+/// of one pass are not, so a film with splats takes the variance between passes.
 class Film {
  public:
   Film(int width, int height, const FilterSettings& filter = {});
@@ -53,14 +51,22 @@ class Film {
   /// A sample that is not finite counts as black, and in rejected().
   void add_sample(int x, int y, const FilmSample& sample);
 
-  /// Must be called before the first splat, by one thread.
+  /// Must be called before the first splat, and before the samples of its pass, by one thread.
   void prepare_splats();
-  /// Adds a light path's contribution to the picture at a raster position; u chooses the offset of
-  /// the pixel filter. Thread safe. A film develops W·H/splat_count times the sum.
-  void add_splat(Vec2 raster, Color contribution, Vec2 u);
-  void add_splat_count(uint64_t light_paths) { splat_count_ += light_paths; }
+  /// Adds what a light path contributes to the picture; u chooses the offset of the pixel filter.
+  /// A film develops W·H/splat_count times the sum. A splat that is not finite counts in
+  /// rejected() only. Thread safe.
+  void add_splat(const Splat& splat, Vec2 u);
+  /// To be called with every batch of light paths, whether they brought splats or not, so that a
+  /// pass that is given up leaves the right picture. Thread safe.
+  void add_splat_count(uint64_t light_paths);
 
-  /// Adds another film of the same size. Throws Error if the sizes differ.
+  /// Ends a pass: only whole passes count for the variance of a film with splats. Nothing to do for
+  /// a film without.
+  void finish_pass();
+
+  /// Adds another film of the same size, of which an unfinished pass does not count for the
+  /// variance. Throws Error if the sizes differ.
   void merge(const Film& other);
   void clear();
 
@@ -80,9 +86,14 @@ class Film {
   double estimated_relative_error() const;
 
  private:
-  struct Pixel {
+  struct Radiance {
     double direct[3] = {};
     double indirect[3] = {};
+    double caustic[3] = {};
+    double merging[3] = {};  // of splats 0: they are connections with the lens
+  };
+  struct Pixel {
+    Radiance radiance;
     double albedo[3] = {};
     double normal[3] = {};
     double depth = 0;
@@ -90,23 +101,46 @@ class Film {
     uint32_t hits = 0;             // samples with a depth
     uint32_t samples = 0;
     uint32_t rejected = 0;
-
-    Pixel& operator+=(const Pixel& other);
+  };
+  /// Luminance of the passes of a film with splats.
+  struct PassStatistics {
+    double sum = 0;      // of the estimates of finished passes
+    double squares = 0;  // of the same
+    // Of the pass under way.
+    float sample_sum = 0;
+    float splat_sum = 0;
+    uint32_t samples = 0;
+  };
+  /// Independent estimates of a pixel's luminance.
+  struct Estimates {
+    uint64_t count = 0;
+    double mean = 0;
+    double variance = 0;  // of the mean
   };
 
   size_t index(int x, int y) const { return static_cast<size_t>(y) * width_ + x; }
-  static double mean_luminance(const Pixel& pixel);
-  static double mean_variance(const Pixel& pixel);  // of the pixel's mean
-  template <typename AnyPixel, typename Visit>
-  static void visit_state(AnyPixel& pixel, Visit&& visit);
+  bool has_splats() const { return !splats_.empty(); }
+  double splat_scale(uint64_t light_paths) const;
+  Estimates estimates(size_t i) const;
+  // Call visit(a.x, b.x, …) for every number x of the state: what is saved and merged.
+  template <typename Visit, typename... Radiances>
+  static void visit_radiance(Visit&& visit, Radiances&... radiance);
+  template <typename Visit, typename... Pixels>
+  static void visit_pixel(Visit&& visit, Pixels&... pixel);
+  template <typename Visit, typename... Films>
+  static void visit_splats(Visit&& visit, size_t i, Films&... film);
   void develop_pixel(Layer layer, size_t i, float* out) const;
 
   int width_;
   int height_;
   Filter filter_;
   std::vector<Pixel> pixels_;
-  std::vector<double> splats_;  // 3 per pixel
-  uint64_t splat_count_ = 0;
+  std::vector<Radiance> splats_;            // per pixel, or empty
+  std::vector<PassStatistics> statistics_;  // as many as splats
+  uint64_t splat_count_ = 0;                // light paths
+  uint64_t finished_splat_count_ = 0;       // of finished passes
+  uint64_t finished_passes_ = 0;            // of a film with splats
+  uint64_t rejected_splats_ = 0;
 };
 
 }  // namespace guidelight

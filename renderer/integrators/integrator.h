@@ -35,6 +35,7 @@ class Integrator {
 
   /// Adds pass `pass` to the film: replayable, random numbers depend only on (seed, pass, path
   /// index). Throws Stopped if the loops were told to stop; the film then holds a part of the pass.
+  /// Whoever calls this ends a whole pass with Film::finish_pass.
   virtual void render_pass(uint32_t pass, Film& film, const PassContext& context) = 0;
 };
 

@@ -30,10 +30,11 @@ namespace {
 struct PathState {
   Rng rng{0, 0, 0};
   Color throughput{1.0f};
-  float eta_squared = 1;  // product of squared IOR ratios that throughput carries
-  float pdf = 0;          // solid-angle density of the last direction
-  bool specular = true;   // the last direction could not have been found by next-event estimation
-  Vec3 previous{0};       // the last vertex
+  float eta_squared = 1;   // product of squared IOR ratios that throughput carries
+  float pdf = 0;           // solid-angle density of the last direction
+  bool specular = true;    // the last direction could not have been found by next-event estimation
+  int rough_vertices = 0;  // scatterings so far that were not specular
+  Vec3 previous{0};        // the last vertex
   const Medium* medium = nullptr;
   FilmSample sample;
 };
@@ -139,8 +140,11 @@ class TilePaths {
     path.sample.depth = hit.t;
   }
 
+  /// Light that the path ran into.
   static void add(PathState& path, int depth, Color contribution) {
     (depth <= 2 ? path.sample.direct : path.sample.indirect) += contribution;
+    // Next-event estimation finds no caustics, as its last vertex is not specular.
+    if (path.specular && path.rough_vertices == 1) path.sample.caustic += contribution;
   }
 
   void add_environment(PathState& path, int depth, Vec3 direction) {
@@ -214,6 +218,7 @@ class TilePaths {
     }
     path.pdf = sample->pdf;
     path.specular = sample->is_delta();
+    if (!path.specular) ++path.rough_vertices;
     path.previous = point.position;
     path.medium = medium_beyond(point, sample->wi, path.medium);
     ray = point.spawn_ray(sample->wi);

@@ -51,6 +51,7 @@ class ProgressiveRender {
         }
         throw;
       }
+      film->finish_pass();
       status_.passes = pass + 1;
       const bool finished = target_reached(*film);
       if (finished || pass == first_pass || publishing_is_due()) {

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "renderer/image/layer.h"
 #include "renderer/io/image_file.h"
 
 namespace guidelight {
@@ -62,7 +63,7 @@ TEST_F(CommandLine, renders_exr_and_png_with_metadata) {
   const Outcome outcome = render("-o a.exr -o a.png --spp 3 --seed 5 --set max_depth=4");
   ASSERT_EQ(outcome.status, 0) << outcome.text;
   const ImageLayers picture = read_exr(path("a.exr"));
-  EXPECT_EQ(picture.layers.size(), 8u);
+  EXPECT_EQ(picture.layers.size(), size_t{kLayerCount});
   for (const std::string& file : {path("a.exr"), path("a.png")}) {
     const Metadata data = read_metadata(file);
     EXPECT_EQ(data.at("passes"), "3");
@@ -120,6 +121,14 @@ TEST_F(CommandLine, a_checkpoint_is_resumed_to_the_same_picture) {
   const Outcome other = render("-o x.exr --spp 6 --set max_depth=3 --checkpoint state --resume");
   EXPECT_EQ(other.status, 1);
   EXPECT_THAT(other.text, HasSubstr("another"));
+}
+
+TEST_F(CommandLine, a_checkpoint_of_an_older_version_is_refused) {
+  std::ofstream(path("old")) << R"({"guidelight_checkpoint": 1})"
+                             << "\n";
+  const Outcome outcome = render("-o x.exr --spp 6 --checkpoint old --resume");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.text, HasSubstr("another version of the program"));
 }
 
 TEST_F(CommandLine, merges_parts_with_different_seeds) {

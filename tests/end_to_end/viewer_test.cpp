@@ -2,6 +2,7 @@
 #include <fstream>
 #include <thread>
 
+#include "renderer/image/layer.h"
 #include "tests/end_to_end/viewer_fixture.h"
 
 namespace guidelight {
@@ -257,7 +258,7 @@ TEST_F(ViewerTest, ExportsAllLayersAsExr) {
   const auto path = folder() / "default.exr";
   ASSERT_TRUE(wait_until([&] { return std::filesystem::exists(path); }));
   const ImageLayers picture = read_exr(path.string());
-  EXPECT_GE(picture.layers.size(), 8u);
+  EXPECT_EQ(picture.layers.size(), size_t{kLayerCount});
   EXPECT_EQ(picture.metadata.at("scene"), scene("default"));
 }
 

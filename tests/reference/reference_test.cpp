@@ -45,8 +45,10 @@ Film render(const std::shared_ptr<const Scene>& scene, uint32_t passes, int max_
   set_parameter(*settings, "max_depth", std::to_string(max_depth));
   const auto integrator = path.create(scene, *settings);
   Parallel parallel;
-  for (uint32_t pass = 0; pass < passes; ++pass)
+  for (uint32_t pass = 0; pass < passes; ++pass) {
     integrator->render_pass(pass, film, {1, &parallel, {}});
+    film.finish_pass();
+  }
   return film;
 }
 

@@ -83,6 +83,7 @@ Film render(std::shared_ptr<const Scene> scene, uint32_t passes, int threads, ui
   Parallel parallel(threads);
   for (uint32_t pass = 0; pass < passes; ++pass) {
     algorithm->render_pass(pass, film, {seed, &parallel, {}});
+    film.finish_pass();
   }
   return film;
 }

@@ -26,6 +26,8 @@ void draw_values(const PixelReport& report) {
           "Standard error of the luminance, estimated from the samples");
   readout("Direct", triple(report.direct));
   readout("Indirect", triple(report.indirect));
+  readout("Caustics", triple(report.caustic));
+  readout("Merging", triple(report.merging));
   readout("Samples", format_count(report.samples));
 }
 

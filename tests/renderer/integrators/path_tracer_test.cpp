@@ -159,6 +159,47 @@ TEST(PathTracer, layers_add_up) {
   EXPECT_NEAR(albedo.color(8, 12).g, 0.7f, 0.05f);  // the floor
 }
 
+TEST(PathTracer, a_mirror_throws_a_caustic_like_a_second_lamp) {
+  // A glowing ball of radius r at distance d gives E = πL cosθ r²/d². A mirror in the plane x = 1.5
+  // doubles the ball at (0, 0, 2) by one at (3, 0, 2), whose light is the caustic.
+  SceneDescription scene = testing::empty_scene();
+  testing::add_rectangle(scene, glm::scale(Mat4(1), Vec3(10)),
+                         testing::add_diffuse(scene, Color(0.5f)));
+  testing::add_sphere(scene, {0, 0, 2}, 1, testing::add_diffuse(scene, Color(0))).radiance =
+      ColorInput{Color(1, 2, 3)};
+  scene.bsdfs.push_back({"mirror", 0, ConductorBsdf{}});
+  const Mat4 place =
+      glm::rotate(glm::translate(Mat4(1), Vec3(1.5f, 0, 0)), -kPi / 2, Vec3(0, 1, 0));
+  testing::add_rectangle(scene, glm::scale(place, Vec3(10)), 2);
+  testing::look_at(scene, {0.2f, 0, 0.5f}, Vec3(0), 0.1f);
+  scene.hints.max_depth = 3;
+  const Film film = render(build(std::move(scene)), 4096);
+  const Color radiance = 0.5f * Color(1, 2, 3);  // ρ L
+  const float cosine = 2 / std::sqrt(13.0f);
+  expect_color(mean_color(film.develop(Layer::Direct)), radiance / 4.0f, 0.01f);
+  expect_color(mean_color(film.develop(Layer::Caustic)), radiance * cosine / 13.0f, 0.05f);
+}
+
+TEST(PathTracer, caustics_need_something_specular_and_are_a_part_of_indirect_light) {
+  for (const bool glass : {false, true}) {
+    SceneDescription scene = testing::room(32, 32);
+    if (glass) {
+      scene.bsdfs.push_back({"glass", 0, DielectricBsdf{}});
+      testing::add_sphere(scene, Vec3(0), 0.3f, static_cast<int>(scene.bsdfs.size()) - 1);
+    }
+    const Film film = render(build(std::move(scene)), 64);
+    const Image caustic = film.develop(Layer::Caustic);
+    const Image indirect = film.develop(Layer::Indirect);
+    for (size_t i = 0; i < caustic.data().size(); ++i) {
+      EXPECT_LE(caustic.data()[i], indirect.data()[i] * (1 + 1e-5f));
+    }
+    EXPECT_EQ(luminance(mean_color(caustic)) > 0.001f, glass);
+    EXPECT_EQ(mean_color(caustic) == Color(0), !glass);
+    EXPECT_EQ(mean_color(film.develop(Layer::Merging)), Color(0));
+    EXPECT_EQ(mean_color(film.develop(Layer::Connection)), mean_color(film.develop(Layer::Beauty)));
+  }
+}
+
 TEST(PathTracer, is_the_same_on_one_and_two_threads_and_differs_by_seed) {
   const auto scene = build(testing::room(40, 24));
   const Image one = render(scene, 4, 1, 7).develop(Layer::Beauty);
