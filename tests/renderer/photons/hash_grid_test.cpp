@@ -13,7 +13,7 @@ using testing::TestPoint;
 std::vector<uint32_t> found(const HashGrid<TestPoint>& grid, Vec3 center, float radius) {
   std::vector<uint32_t> ids;
   grid.for_each_within(center, radius, [&](const TestPoint& point, float squared) {
-    EXPECT_EQ(squared, length_squared(point.position - center));
+    EXPECT_FLOAT_EQ(squared, length_squared(point.position - center));
     ids.push_back(point.id);
   });
   std::sort(ids.begin(), ids.end());
