@@ -1,0 +1,88 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "renderer/photons/hashed_cells.h"
+
+namespace guidelight {
+
+/// Finds all items within a radius. Items have a member `position`; they are copied and sorted by
+/// cell, so that a query reads contiguous memory, and keep their order within an entry of the
+/// table: nothing depends on the number of threads. Items whose position is not finite are never
+/// found.
+template <class Item>
+class HashGrid {
+ public:
+  HashGrid() = default;
+  /// `cell_side` is about twice the usual radius: a query then touches at most 8 cells. Any value
+  /// works, some are slow.
+  HashGrid(std::span<const Item> items, float cell_side, Parallel& parallel);
+
+  /// Calls visit(item, squared distance) once for each item nearer to `center` than `radius`, in an
+  /// order that does not depend on threads.
+  template <class Visit>
+  void for_each_within(Vec3 center, float radius, Visit&& visit) const;
+
+  /// All items, sorted; those with a position that is not finite come last.
+  std::span<const Item> items() const { return items_; }
+  size_t bytes() const {
+    return items_.capacity() * sizeof(Item) + begin_.capacity() * sizeof(uint32_t);
+  }
+
+ private:
+  HashedCells cells_;
+  std::vector<Item> items_;
+  std::vector<uint32_t> begin_;  // entry i of the table holds items_[begin_[i], begin_[i+1])
+};
+
+// ---------------------------------------------------------------------------------------------------
+
+template <class Item>
+HashGrid<Item>::HashGrid(std::span<const Item> items, float cell_side, Parallel& parallel) {
+  const auto position = [&](size_t i) { return items[i].position; };
+  cells_ = HashedCells(finite_bounds(items.size(), position, parallel), cell_side, items.size());
+
+  std::vector<uint32_t> entries(items.size());
+  for_each_chunk(items.size(), parallel, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) entries[i] = cells_.entry_of(items[i].position);
+  });
+  SortedEntries sorted = sort_by_entry(entries, cells_.table_size() + 1, parallel);
+  begin_ = std::move(sorted.begin);
+  items_.resize(items.size());
+  for_each_chunk(items.size(), parallel, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) items_[i] = items[sorted.order[i]];
+  });
+}
+
+template <class Item>
+template <class Visit>
+void HashGrid<Item>::for_each_within(Vec3 center, float radius, Visit&& visit) const {
+  const float radius_squared = sqr(radius);
+  const auto scan = [&](uint32_t begin, uint32_t end, auto&& belongs) {
+    for (uint32_t i = begin; i < end; ++i) {
+      const float squared = length_squared(items_[i].position - center);
+      if (squared < radius_squared && belongs(items_[i].position)) visit(items_[i], squared);
+    }
+  };
+  const auto range = cells_.overlapped(center, radius);
+  if (!range) return;
+  if (range->row_count() > items_.size()) {
+    scan(0, begin_[cells_.table_size()], [](Vec3) { return true; });
+    return;
+  }
+  for (int z = range->first.z; z <= range->last.z; ++z) {
+    for (int y = range->first.y; y <= range->last.y; ++y) {
+      // Another row may share entries of the table with this one.
+      const auto belongs = [&](Vec3 p) {
+        const HashedCells::Cell cell = cells_.cell(p);
+        return cell.y == y && cell.z == z;
+      };
+      cells_.for_each_range(
+          range->first.x, range->last.x, y, z,
+          [&](uint32_t first, uint32_t last) { scan(begin_[first], begin_[last], belongs); });
+    }
+  }
+}
+
+}  // namespace guidelight
