@@ -125,19 +125,13 @@ class TilePaths {
     }
     if (path.medium) path.throughput *= path.medium->transmittance(hit.t);
     const SurfacePoint point = scene_.surface_point(ray, hit);
-    if (depth == 1) record_first_hit(path, point, hit);
+    if (depth == 1) record_first_hit(path.sample, point, hit.t);
     if (point.light) add_emission(path, depth, point, -ray.direction);
     if (settings_.max_depth >= 0 && depth >= settings_.max_depth) return false;
 
     const Scattering scattering(point, -ray.direction, TransportMode::Radiance);
     if (scattering.is_connectible()) queue_light(index, depth, point, scattering);
     return scatter(path, depth, point, scattering, ray);
-  }
-
-  void record_first_hit(PathState& path, const SurfacePoint& point, const Hit& hit) {
-    path.sample.albedo = point.bsdf->albedo(point);
-    path.sample.normal = point.frame.n;
-    path.sample.depth = hit.t;
   }
 
   /// Light that the path ran into.
@@ -244,8 +238,8 @@ class PathTracer : public Integrator {
       : scene_(std::move(scene)), settings_(settings) {}
 
   void render_pass(uint32_t pass, Film& film, const PassContext& context) override {
-    for_each_tile(film, context, [&](const PixelRegion& tile) {
-      TilePaths(*scene_, settings_).render(tile, pass, context.seed, film);
+    for_each_tile(film, context, [&](const Tile& tile) {
+      TilePaths(*scene_, settings_).render(tile.pixels, pass, context.seed, film);
     });
   }
 

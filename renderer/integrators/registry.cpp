@@ -1,11 +1,16 @@
 #include "renderer/error.h"
+#include "renderer/integrators/bidirectional/bidirectional.h"
 #include "renderer/integrators/integrator.h"
 #include "renderer/integrators/path_tracer.h"
 
 namespace guidelight {
 
 const std::vector<IntegratorInfo>& integrators() {
-  static const std::vector<IntegratorInfo> list = {path_tracer_info()};
+  static const std::vector<IntegratorInfo> list = [] {
+    std::vector<IntegratorInfo> all = {path_tracer_info()};
+    for (IntegratorInfo& info : bidirectional_infos()) all.push_back(std::move(info));
+    return all;
+  }();
   return list;
 }
 

@@ -4,22 +4,51 @@
 
 namespace guidelight {
 
-void for_each_tile(const Film& film, const PassContext& context,
-                   const std::function<void(const PixelRegion&)>& render) {
-  PixelRegion region{0, 0, film.width(), film.height()};
-  if (context.region) {
-    region.x0 = std::clamp(context.region->x0, 0, region.x1);
-    region.y0 = std::clamp(context.region->y0, 0, region.y1);
-    region.x1 = std::clamp(context.region->x1, region.x0, region.x1);
-    region.y1 = std::clamp(context.region->y1, region.y0, region.y1);
+namespace {
+
+/// The part of the film that is rendered, cut into tiles.
+struct Tiling {
+  PixelRegion region;
+  int columns;
+  int rows;
+
+  Tiling(const Film& film, const PassContext& context) : region{0, 0, film.width(), film.height()} {
+    if (context.region) {
+      region.x0 = std::clamp(context.region->x0, 0, region.x1);
+      region.y0 = std::clamp(context.region->y0, 0, region.y1);
+      region.x1 = std::clamp(context.region->x1, region.x0, region.x1);
+      region.y1 = std::clamp(context.region->y1, region.y0, region.y1);
+    }
+    columns = (region.x1 - region.x0 + kTileSize - 1) / kTileSize;
+    rows = (region.y1 - region.y0 + kTileSize - 1) / kTileSize;
   }
-  const int columns = (region.x1 - region.x0 + kTileSize - 1) / kTileSize;
-  const int rows = (region.y1 - region.y0 + kTileSize - 1) / kTileSize;
-  context.parallel->for_each(static_cast<size_t>(columns) * rows, [&](size_t i) {
+
+  size_t count() const { return static_cast<size_t>(columns) * rows; }
+
+  PixelRegion tile(size_t i) const {
     const int x0 = region.x0 + static_cast<int>(i % columns) * kTileSize;
     const int y0 = region.y0 + static_cast<int>(i / columns) * kTileSize;
-    render({x0, y0, std::min(x0 + kTileSize, region.x1), std::min(y0 + kTileSize, region.y1)});
-  });
+    return {x0, y0, std::min(x0 + kTileSize, region.x1), std::min(y0 + kTileSize, region.y1)};
+  }
+};
+
+}  // namespace
+
+size_t tile_count(const Film& film, const PassContext& context) {
+  return Tiling(film, context).count();
+}
+
+void for_each_tile(const Film& film, const PassContext& context,
+                   const std::function<void(const Tile&)>& render) {
+  const Tiling tiling(film, context);
+  const size_t count = tiling.count();
+  context.parallel->for_each(count, [&](size_t i) { render({tiling.tile(i), i, count}); });
+}
+
+void record_first_hit(FilmSample& sample, const SurfacePoint& point, float distance) {
+  sample.albedo = point.bsdf->albedo(point);
+  sample.normal = point.frame.n;
+  sample.depth = distance;
 }
 
 }  // namespace guidelight

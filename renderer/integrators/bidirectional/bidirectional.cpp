@@ -1,0 +1,183 @@
+#include "renderer/integrators/bidirectional/bidirectional.h"
+
+#include <optional>
+
+#include "renderer/error.h"
+#include "renderer/integrators/bidirectional/camera_stage.h"
+#include "renderer/integrators/bidirectional/light_stage.h"
+
+namespace guidelight {
+
+namespace {
+
+class Bidirectional : public Integrator {
+ public:
+  Bidirectional(std::shared_ptr<const Scene> scene, const BidirectionalSettings& settings)
+      : scene_(std::move(scene)), settings_(settings) {
+    const float radius = settings.radius_from == 0 ? settings.scene_radius : settings.pixel_radius;
+    const bool only_merges = settings.merges() && !settings.connections && !settings.next_event;
+    if (only_merges && radius == 0) {
+      throw Error("a merging radius of 0 finds no photons: give a larger one");
+    }
+  }
+
+  void render_pass(uint32_t pass, Film& film, const PassContext& context) override {
+    const size_t pixels = static_cast<size_t>(film.width()) * film.height();
+    if (settings_.light_tracing) film.prepare_splats();
+    if (settings_.connects_to_random_vertices() && vertices_per_light_path_ == 0) {
+      count_light_vertices(context);
+    }
+    const PassSetup setup(*scene_, settings_, pass, context.seed, pixels, vertices_per_light_path_);
+    if (settings_.merges() && settings_.lean) {
+      render_lean(setup, film, context);
+    } else if (settings_.merges() || settings_.connects_to_random_vertices()) {
+      render_in_two_stages(setup, film, context);
+    } else {
+      render_tile_by_tile(setup, film, context, nullptr);
+    }
+  }
+
+ private:
+  /// The balance heuristic must not know the light paths it weighs, or it would not be one for
+  /// each; so how many vertices there are to choose from is found by paths of its own.
+  void count_light_vertices(const PassContext& context) {
+    constexpr size_t kPaths = 4096;
+    const PassSetup setup(*scene_, settings_, 0, ~context.seed, kPaths);
+    LightStage light(setup);
+    light.trace(0, kPaths, nullptr);
+    const size_t vertices = std::max<size_t>(light.vertices().vertices.size(), 1);
+    vertices_per_light_path_ = static_cast<float>(vertices) / kPaths;
+  }
+
+  /// Each tile traces its light paths and then its camera paths. Photons, if wanted, are only
+  /// collected; those to merge with are given.
+  void render_tile_by_tile(const PassSetup& setup, Film& film, const PassContext& context,
+                           const HashGrid<Photon>* photons) {
+    for_each_tile(film, context, [&](const Tile& tile) {
+      LightStage light(setup);
+      light.trace(tile.first_of(setup.light_path_count), tile.last_of(setup.light_path_count),
+                  &film);
+      if (photons) tile_photons_[tile.index] = light.photons();
+      CameraStage camera(
+          setup, {.own = settings_.connections ? &light.vertices() : nullptr, .photons = photons});
+      camera.render(tile.pixels, film);
+    });
+  }
+
+  /// Photons of the pass before are merged with, those of this one are kept for the next: the
+  /// memory-lean variant of Georgiev et al. 2012, section 5.
+  void render_lean(const PassSetup& setup, Film& film, const PassContext& context) {
+    const size_t tiles = tile_count(film, context);
+    if (grid_of_pass_ != setup.pass) {
+      trace_photons_before(setup, film, context);
+      build_grid(setup, context);
+    }
+    grid_of_pass_.reset();
+    tile_photons_.resize(tiles);
+    render_tile_by_tile(setup, film, context, &grid_);
+    build_grid(setup, context);
+    grid_of_pass_ = setup.pass + 1;
+  }
+
+  /// At the beginning, or after a resume, the pass before has to be made up for: its light paths
+  /// are traced again. Before the first pass stands the last possible one.
+  void trace_photons_before(const PassSetup& setup, const Film& film, const PassContext& context) {
+    PassSetup before = setup;
+    before.pass = setup.pass - 1;
+    tile_photons_.assign(tile_count(film, context), {});
+    for_each_tile(film, context, [&](const Tile& tile) {
+      LightStage light(before);
+      light.trace(tile.first_of(setup.light_path_count), tile.last_of(setup.light_path_count),
+                  nullptr);
+      tile_photons_[tile.index] = light.photons();
+    });
+  }
+
+  /// All light paths first, then all camera paths.
+  void render_in_two_stages(const PassSetup& setup, Film& film, const PassContext& context) {
+    const size_t tiles = tile_count(film, context);
+    tile_photons_.resize(tiles);
+    tile_vertices_.resize(settings_.connections ? tiles : 0);
+    for_each_tile(film, context, [&](const Tile& tile) {
+      LightStage light(setup);
+      light.trace(tile.first_of(setup.light_path_count), tile.last_of(setup.light_path_count),
+                  &film);
+      tile_photons_[tile.index] = light.photons();
+      if (settings_.connections) tile_vertices_[tile.index].store(light.vertices());
+    });
+    if (settings_.merges()) build_grid(setup, context);
+    const VertexCache cache(tile_vertices_);
+    for_each_tile(film, context, [&](const Tile& tile) {
+      LightVertices own;
+      LightSide side{.photons = settings_.merges() ? &grid_ : nullptr};
+      if (settings_.connects_to_random_vertices()) {
+        side.cache = &cache;
+      } else if (settings_.connections) {
+        tile_vertices_[tile.index].restore(*scene_, own);
+        side.own = &own;
+      }
+      CameraStage(setup, side).render(tile.pixels, film);
+    });
+  }
+
+  void build_grid(const PassSetup& setup, const PassContext& context) {
+    std::vector<Photon> photons;
+    size_t count = 0;
+    for (const auto& batch : tile_photons_) count += batch.size();
+    photons.reserve(count);
+    for (const auto& batch : tile_photons_) {
+      photons.insert(photons.end(), batch.begin(), batch.end());
+    }
+    grid_ = HashGrid<Photon>(photons, 2 * setup.radius.typical(), *context.parallel);
+  }
+
+  std::shared_ptr<const Scene> scene_;
+  BidirectionalSettings settings_;
+  float vertices_per_light_path_ = 0;
+  // By tile, kept from pass to pass for their memory.
+  std::vector<std::vector<Photon>> tile_photons_;
+  std::vector<StoredVertices> tile_vertices_;
+  HashGrid<Photon> grid_;
+  std::optional<uint32_t> grid_of_pass_;  // lean: the pass that the grid was made for
+};
+
+template <BidirectionalKind kind>
+std::unique_ptr<IntegratorSettings> make_settings(const RenderHints& hints) {
+  auto settings = std::make_unique<BidirectionalSettings>(kind);
+  settings->max_length = hints.max_depth.value_or(settings->max_length);
+  return settings;
+}
+
+std::unique_ptr<Integrator> create(std::shared_ptr<const Scene> scene,
+                                   const IntegratorSettings& settings) {
+  return std::make_unique<Bidirectional>(std::move(scene),
+                                         dynamic_cast<const BidirectionalSettings&>(settings));
+}
+
+}  // namespace
+
+std::vector<IntegratorInfo> bidirectional_infos() {
+  using enum BidirectionalKind;
+  std::vector<IntegratorInfo> list;
+  list.push_back({"light", "Light tracing",
+                  "Paths from the lights alone: good at caustics on surfaces that the camera sees "
+                  "directly; mirrors and glass stay black.",
+                  make_settings<LightTracing>, create});
+  list.push_back({"bdpt", "Bidirectional path tracing",
+                  "Camera and light paths connected: good at indirect light and directly visible "
+                  "caustics; poor at caustics seen in mirrors or through glass.",
+                  make_settings<Bdpt>, create});
+  list.push_back({"pppm", "Probabilistic PPM",
+                  "Photons merged where the camera first sees a surface that is not specular, with "
+                  "a radius that shrinks by pass.",
+                  make_settings<ProbabilisticPpm>, create});
+  list.push_back({"bpm", "Bidirectional photon mapping, fixed radius",
+                  "Photons merged at every camera vertex, weighted against each other.",
+                  make_settings<Bpm>, create});
+  list.push_back({"vcm", "Vertex connection and merging",
+                  "Bidirectional path tracing and photon mapping combined: the most robust choice.",
+                  make_settings<Vcm>, create});
+  return list;
+}
+
+}  // namespace guidelight

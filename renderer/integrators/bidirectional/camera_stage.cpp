@@ -1,0 +1,243 @@
+#include "renderer/integrators/bidirectional/camera_stage.h"
+
+#include <algorithm>
+
+namespace guidelight {
+
+VertexCache::VertexCache(const std::vector<StoredVertices>& batches) : batches_(batches) {
+  begin_.push_back(0);
+  for (const StoredVertices& batch : batches)
+    begin_.push_back(begin_.back() + batch.vertices.size());
+}
+
+const StoredVertex& VertexCache::operator[](size_t i) const {
+  const auto next = std::upper_bound(begin_.begin(), begin_.end(), i);
+  const size_t batch = next - begin_.begin() - 1;
+  return batches_[batch].vertices[i - begin_[batch]];
+}
+
+void CameraStage::PathState::extend(const Subpath& path) {
+  if (path.length == 0) return;
+  is_specular_tail = !path.is_connectible;
+  if (is_specular_tail) return;
+  ++finite_vertices;
+  if (path.length == 1) first_is_finite = true;
+}
+
+void CameraStage::PathState::add(int length, Color contribution, bool is_caustic) {
+  (length <= 2 ? sample.direct : sample.indirect) += contribution;
+  if (is_caustic) sample.caustic += contribution;
+}
+
+CameraStage::CameraStage(const PassSetup& setup, const LightSide& light)
+    : setup_(setup), light_(light), walk_(setup.scene, TransportMode::Radiance, setup.weights) {}
+
+void CameraStage::render(const PixelRegion& tile, Film& film) {
+  start(tile, film.filter());
+  walk_.run(paths_, *this);
+  size_t i = 0;
+  for (int y = tile.y0; y < tile.y1; ++y) {
+    for (int x = tile.x0; x < tile.x1; ++x) film.add_sample(x, y, states_[i++].sample);
+  }
+}
+
+void CameraStage::start(const PixelRegion& tile, const Filter& filter) {
+  paths_.clear();
+  states_.clear();
+  const int width = setup_.scene.camera().width();
+  for (int y = tile.y0; y < tile.y1; ++y) {
+    for (int x = tile.x0; x < tile.x1; ++x) {
+      Rng rng(setup_.seed, setup_.pass, static_cast<uint64_t>(y) * width + x);
+      const Filter::Sample offset = filter.sample(rng.next_vec2());
+      paths_.push_back(
+          start_camera_path(setup_.scene, Vec2(x + 0.5f, y + 0.5f) + offset.offset, rng));
+      states_.emplace_back().sample.filter_weight = offset.weight;
+    }
+  }
+}
+
+void CameraStage::escaped(uint32_t index, Subpath& path) {
+  const int length = path.length + 1;
+  if (!setup_.is_shown(length)) return;
+  PathState& state = states_[index];
+  state.extend(path);
+  const EscapePartials end = escape_partials(path);
+  const Vec3 towards = path.ray.direction;
+  for (const Light* light : setup_.scene.infinite_lights()) {
+    const Color radiance = light->radiance_from(towards);
+    if (is_black(radiance)) continue;
+    float weight = 1;
+    if (length > 1) {
+      const float probability = setup_.scene.light_probability(*light);
+      const EmissionPdf emission = light->pdf_emission({}, -towards);
+      weight = emission_weight(state, end.partials, end.merging_before_last,
+                               probability * light->pdf_direct_from(towards),
+                               probability * emission.position * emission.direction);
+    }
+    state.add(length, path.throughput * radiance * weight, state.is_caustic());
+  }
+}
+
+bool CameraStage::visit(uint32_t index, Subpath& path, const PathVertex& vertex,
+                        const Scattering& scattering) {
+  const int length = vertex.length;
+  PathState& state = states_[index];
+  state.extend(path);
+  state.distance += vertex.hit.t;
+  if (length == 1) record_first_hit(state.sample, vertex.point, vertex.hit.t);
+  if (vertex.point.light && setup_.is_shown(length)) add_emission(state, path, vertex);
+  if (length >= setup_.max_length) return false;
+  if (!scattering.is_connectible()) return true;
+
+  const BidirectionalSettings& settings = setup_.settings;
+  if (vertex.is_specular_chain) {
+    state.radius = setup_.radius.at(state.distance);
+    state.eta = setup_.radius.eta(state.radius);
+  }
+  if (settings.next_event && setup_.is_shown(length + 1)) {
+    connect_light(index, path, vertex, scattering);
+  }
+  if (light_.own) connect_own_path(index, vertex, scattering);
+  if (light_.cache) connect_random_vertices(index, path, vertex, scattering);
+  if (light_.photons) merge(state, vertex, scattering);
+  return settings.kind != BidirectionalKind::ProbabilisticPpm;
+}
+
+void CameraStage::add_emission(PathState& state, const Subpath& path,
+                               const PathVertex& vertex) const {
+  const Light& light = *vertex.point.light;
+  const Color radiance = light.radiance(vertex.point, vertex.wo);
+  if (is_black(radiance)) return;
+  float weight = 1;
+  if (vertex.length > 1) {
+    const float probability = setup_.scene.light_probability(light);
+    const EmissionPdf emission = light.pdf_emission(vertex.point, vertex.wo);
+    const float to_area = std::abs(glm::dot(vertex.wo, vertex.point.geometric_normal)) /
+                          length_squared(vertex.point.position - path.origin);
+    weight = emission_weight(state, vertex.partials, vertex.merging_before_last,
+                             probability * light.pdf_direct(path.origin, vertex.point) * to_area,
+                             probability * emission.position * emission.direction);
+  }
+  state.add(vertex.length, vertex.throughput * radiance * weight, state.is_caustic());
+}
+
+float CameraStage::emission_weight(const PathState& state, MisPartials partials,
+                                   float merging_before_last, float pdf_direct,
+                                   float pdf_emission) const {
+  if (!setup_.weights.counts().merge_direct) {
+    // A merge at the last vertex would be one of direct light, and one at the first a directly
+    // visible caustic if all others are specular.
+    const bool is_direct_caustic = state.finite_vertices == 1 && state.first_is_finite;
+    partials.merging = is_direct_caustic ? 0.0f : merging_before_last;
+  }
+  return setup_.weights.emission(partials, pdf_direct, pdf_emission, state.eta);
+}
+
+void CameraStage::connect_light(uint32_t index, Subpath& path, const PathVertex& vertex,
+                                const Scattering& scattering) {
+  const float u_light = path.rng.next_float();
+  const auto direct =
+      connect_to_light(setup_.scene, vertex, scattering, u_light, path.rng.next_vec2());
+  if (!direct) return;
+  const MisWeights& weights = setup_.weights;
+  const MisSums sums = mis_sums(vertex.partials, direct->pdf_backward,
+                                weights.count_before_camera_vertex(vertex.length),
+                                weights.mergeable_light_vertex(1));
+  const float weight =
+      weights.next_event(sums, direct->emission_ratio, direct->hit_ratio, states_[index].eta);
+  queue(index, vertex.length + 1, direct->shadow_ray, direct->contribution * weight);
+}
+
+void CameraStage::connect_own_path(uint32_t index, const PathVertex& vertex,
+                                   const Scattering& scattering) {
+  const LightVertices& own = *light_.own;
+  if (own.last.empty()) return;
+  uint32_t next = own.last[index % own.last.size()];
+  for (; next != kNoVertex; next = own.previous[next]) {
+    connect(index, own.vertices[next], vertex, scattering, 1.0f);
+  }
+}
+
+void CameraStage::connect_random_vertices(uint32_t index, Subpath& path, const PathVertex& vertex,
+                                          const Scattering& scattering) {
+  const VertexCache& cache = *light_.cache;
+  if (cache.size() == 0) return;
+  const int picks = setup_.settings.random_vertices;
+  // One path is found size/picks/N_L times as seldom as by N_L light paths that are all connected.
+  const float scale = static_cast<float>(cache.size()) /
+                      (static_cast<float>(picks) * static_cast<float>(setup_.light_path_count));
+  for (int i = 0; i < picks; ++i) {
+    const auto chosen =
+        static_cast<size_t>(path.rng.next_float() * static_cast<float>(cache.size()));
+    const PathVertex light = cache[std::min(chosen, cache.size() - 1)].restore(setup_.scene);
+    connect(index, light, vertex, scattering, scale);
+  }
+}
+
+void CameraStage::connect(uint32_t index, const PathVertex& light, const PathVertex& vertex,
+                          const Scattering& scattering, float scale) {
+  const int length = light.length + vertex.length + 1;
+  if (!setup_.is_shown(length)) return;
+  const Scattering light_scattering(light.point, light.wo, TransportMode::Importance);
+  const auto connection = connect_vertices(light, light_scattering, vertex, scattering);
+  if (!connection) return;
+  const MisWeights& weights = setup_.weights;
+  const MisSums light_sums = mis_sums(light.partials, connection->pdf_backward_light,
+                                      weights.count_before_light_vertex(light.length),
+                                      weights.mergeable_light_vertex(light.length));
+  const MisSums camera_sums = mis_sums(vertex.partials, connection->pdf_backward_camera,
+                                       weights.count_before_camera_vertex(vertex.length), 1.0f);
+  const float weight = weights.connection(light_sums, connection->pdf_arrival_light, camera_sums,
+                                          connection->pdf_arrival_camera, states_[index].eta);
+  queue(index, length, connection->shadow_ray, connection->contribution * (weight * scale));
+}
+
+void CameraStage::merge(PathState& state, const PathVertex& vertex,
+                        const Scattering& scattering) const {
+  if (!(state.radius > 0)) return;
+  const MisWeights& weights = setup_.weights;
+  const bool is_weighted = setup_.settings.kind != BidirectionalKind::ProbabilisticPpm;
+  const float camera_count = weights.count_before_camera_vertex(vertex.length);
+  const bool skip_caustics = !weights.counts().merge_direct && vertex.length == 1;
+  const Color scale = vertex.throughput / state.eta;  // density estimate: 1/(N_L π r²)
+  light_.photons->for_each_within(
+      vertex.point.position, state.radius, [&](const Photon& photon, float) {
+        const int length = photon.length() + vertex.length;
+        const bool is_caustic = photon.caustic() && vertex.is_specular_chain;
+        if (!setup_.is_shown(length) || (skip_caustics && photon.caustic())) return;
+        const Vec3 wi = photon.direction();
+        const Color value = scattering.value(wi);
+        if (is_black(value)) return;
+        float weight = 1;
+        if (is_weighted) {
+          const float count = weights.count_before_light_vertex(photon.length());
+          const float pdf_to_light = scattering.pdf(wi) * vertex.survival;
+          const float pdf_to_camera = scattering.pdf_reverse(wi) * vertex.survival;
+          weight = weights.merging(mis_sums(photon.partials, pdf_to_light, count, 0.0f),
+                                   mis_sums(vertex.partials, pdf_to_camera, camera_count, 0.0f),
+                                   state.eta);
+        }
+        // Photons arrive through the true surface: their flux already contains its cosine.
+        const float cosine = std::abs(glm::dot(wi, vertex.point.geometric_normal));
+        const Color contribution = scale * value * photon.power() * (weight / cosine);
+        state.add(length, contribution, is_caustic);
+        state.sample.merging += contribution;
+      });
+}
+
+void CameraStage::queue(uint32_t index, int length, const Ray& shadow_ray, Color contribution) {
+  shadow_rays_.push_back(shadow_ray);
+  pending_.push_back({index, length, contribution});
+}
+
+void CameraStage::end_segment() {
+  blocked_.resize(shadow_rays_.size());
+  setup_.scene.occluded(shadow_rays_, blocked_);
+  for (size_t i = 0; i < pending_.size(); ++i) {
+    if (!blocked_[i]) states_[pending_[i].path].add(pending_[i].length, pending_[i].contribution);
+  }
+  shadow_rays_.clear();
+  pending_.clear();
+}
+
+}  // namespace guidelight

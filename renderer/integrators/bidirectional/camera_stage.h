@@ -1,0 +1,98 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "renderer/image/film.h"
+#include "renderer/integrators/bidirectional/light_vertices.h"
+#include "renderer/integrators/bidirectional/pass_setup.h"
+#include "renderer/integrators/tiles.h"
+#include "renderer/photons/hash_grid.h"
+#include "renderer/photons/photon.h"
+#include "renderer/transport/connect.h"
+#include "renderer/transport/random_walk.h"
+
+namespace guidelight {
+
+/// Light vertices of the whole pass, to choose from at random.
+class VertexCache {
+ public:
+  /// One batch for each tile; must outlive this.
+  explicit VertexCache(const std::vector<StoredVertices>& batches);
+
+  size_t size() const { return begin_.back(); }
+  const StoredVertex& operator[](size_t i) const;
+
+ private:
+  const std::vector<StoredVertices>& batches_;
+  std::vector<size_t> begin_;  // of each batch; and the end
+};
+
+/// What the camera's paths may meet; null where a technique is off.
+struct LightSide {
+  const LightVertices* own = nullptr;         // the tile's light paths
+  const VertexCache* cache = nullptr;         // all vertices
+  const HashGrid<Photon>* photons = nullptr;  // to merge with
+};
+
+/// Traces the camera paths of a tile and closes them in every way but t = 1.
+class CameraStage {
+ public:
+  CameraStage(const PassSetup& setup, const LightSide& light);
+
+  void render(const PixelRegion& tile, Film& film);
+
+  // RandomWalk's visitor.
+  void escaped(uint32_t index, Subpath& path);
+  bool visit(uint32_t index, Subpath& path, const PathVertex& vertex, const Scattering& scattering);
+  void end_segment();
+
+ private:
+  /// A camera path beside its Subpath.
+  struct PathState {
+    float distance = 0;       // from the lens
+    float radius = 0;         // of merging, once the first connectible vertex is known
+    float eta = 0;            // see MisSums::total
+    int finite_vertices = 0;  // that scattered by a finite lobe
+    bool first_is_finite = false;
+    bool is_specular_tail = false;  // the last did not
+    FilmSample sample;
+
+    /// Takes note of how the vertex before the segment scattered.
+    void extend(const Subpath& path);
+    void add(int length, Color contribution, bool is_caustic = false);
+    /// After one finite vertex, specular ones alone.
+    bool is_caustic() const { return finite_vertices == 1 && is_specular_tail; }
+  };
+  struct PendingLight {
+    uint32_t path;
+    int length;
+    Color contribution;
+  };
+
+  void start(const PixelRegion& tile, const Filter& filter);
+  void add_emission(PathState& state, const Subpath& path, const PathVertex& vertex) const;
+  void connect_light(uint32_t index, Subpath& path, const PathVertex& vertex,
+                     const Scattering& scattering);
+  void connect_own_path(uint32_t index, const PathVertex& vertex, const Scattering& scattering);
+  void connect_random_vertices(uint32_t index, Subpath& path, const PathVertex& vertex,
+                               const Scattering& scattering);
+  void connect(uint32_t index, const PathVertex& light, const PathVertex& vertex,
+               const Scattering& scattering, float scale);
+  void merge(PathState& state, const PathVertex& vertex, const Scattering& scattering) const;
+  /// Balance heuristic of technique s = 0.
+  float emission_weight(const PathState& state, MisPartials partials, float merging_before_last,
+                        float pdf_direct, float pdf_emission) const;
+  void queue(uint32_t index, int length, const Ray& shadow_ray, Color contribution);
+
+  const PassSetup& setup_;
+  LightSide light_;
+  RandomWalk walk_;
+  std::vector<Subpath> paths_;
+  std::vector<PathState> states_;
+  std::vector<PendingLight> pending_;
+  std::vector<Ray> shadow_rays_;
+  std::vector<uint8_t> blocked_;
+};
+
+}  // namespace guidelight

@@ -1,0 +1,85 @@
+#include "renderer/integrators/bidirectional/light_stage.h"
+
+namespace guidelight {
+
+namespace {
+
+/// Light paths draw other random numbers than the camera path of the same number.
+constexpr uint64_t kLightPathStream = 0x6c69676874ull;
+
+}  // namespace
+
+LightStage::LightStage(const PassSetup& setup)
+    : setup_(setup), walk_(setup.scene, TransportMode::Importance, setup.weights) {}
+
+void LightStage::trace(size_t first, size_t last, Film* film) {
+  film_ = setup_.settings.light_tracing ? film : nullptr;
+  photons_.clear();
+  vertices_.reset(last - first);
+  start(first, last);
+  walk_.run(paths_, *this);
+  if (film_) film_->add_splat_count(last - first);
+}
+
+void LightStage::start(size_t first, size_t last) {
+  paths_.clear();
+  slots_.clear();
+  emissions_.resize(last - first);
+  for (size_t i = first; i < last; ++i) {
+    const Rng rng(setup_.seed ^ kLightPathStream, setup_.pass, i);
+    const auto path = start_light_path(setup_.scene, rng, setup_.weights.counts().emission,
+                                       emissions_[i - first]);
+    if (!path) continue;  // contributes nothing, but counts
+    slots_.push_back(static_cast<uint32_t>(i - first));
+    paths_.push_back(*path);
+  }
+}
+
+bool LightStage::visit(uint32_t index, Subpath& path, const PathVertex& vertex,
+                       const Scattering& scattering) {
+  const int length = vertex.length;
+  if (length >= setup_.max_length) return false;
+  if (scattering.is_connectible()) {
+    const BidirectionalSettings& settings = setup_.settings;
+    if (settings.merges() && (length > 1 || settings.merge_direct)) {
+      photons_.push_back(make_photon(vertex.point.position, vertex.wo, vertex.throughput, length,
+                                     vertex.is_caustic(), vertex.partials));
+    }
+    if (settings.connections && length + 2 <= setup_.max_length)
+      vertices_.add(slots_[index], vertex);
+    if (film_ && setup_.is_shown(length + 1)) queue_splat(path, vertex, scattering);
+  }
+  return length + 2 <= setup_.max_length;
+}
+
+void LightStage::queue_splat(Subpath& path, const PathVertex& vertex,
+                             const Scattering& scattering) {
+  const auto lens =
+      connect_to_lens(setup_.scene.camera(), vertex, scattering, path.rng.next_vec2());
+  if (!lens) return;
+  const MisWeights& weights = setup_.weights;
+  const bool can_merge = weights.counts().merge_direct || !vertex.is_caustic();
+  const MisSums sums = mis_sums(vertex.partials, lens->pdf_backward,
+                                weights.count_before_light_vertex(vertex.length),
+                                can_merge ? weights.mergeable_light_vertex(vertex.length) : 0.0f);
+  const float eta = setup_.radius.eta(setup_.radius.at(lens->distance));
+  const float weight = weights.light_tracing(sums, lens->pdf_arrival, eta);
+  shadow_rays_.push_back(lens->shadow_ray);
+  pending_.push_back({{.raster = lens->raster,
+                       .contribution = lens->contribution * weight,
+                       .direct = vertex.length == 1,
+                       .caustic = vertex.is_caustic()},
+                      path.rng.next_vec2()});
+}
+
+void LightStage::end_segment() {
+  blocked_.resize(shadow_rays_.size());
+  setup_.scene.occluded(shadow_rays_, blocked_);
+  for (size_t i = 0; i < pending_.size(); ++i) {
+    if (!blocked_[i]) film_->add_splat(pending_[i].splat, pending_[i].u);
+  }
+  shadow_rays_.clear();
+  pending_.clear();
+}
+
+}  // namespace guidelight

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <vector>
+
+#include "renderer/image/film.h"
+#include "renderer/integrators/bidirectional/light_vertices.h"
+#include "renderer/integrators/bidirectional/pass_setup.h"
+#include "renderer/photons/photon.h"
+#include "renderer/transport/connect.h"
+#include "renderer/transport/random_walk.h"
+
+namespace guidelight {
+
+/// Traces light paths: connects their vertices to the lens (t = 1) and keeps them for the camera
+/// stage, as vertices to connect to and as photons to merge with.
+class LightStage {
+ public:
+  explicit LightStage(const PassSetup& setup);
+
+  /// Traces paths [first, last) of the pass. `film` receives the splats and the count, null if they
+  /// are not wanted.
+  void trace(size_t first, size_t last, Film* film);
+
+  /// Of the last trace().
+  const LightVertices& vertices() const { return vertices_; }
+  const std::vector<Photon>& photons() const { return photons_; }
+
+  // RandomWalk's visitor.
+  void escaped(uint32_t, Subpath&) {}
+  bool visit(uint32_t index, Subpath& path, const PathVertex& vertex, const Scattering& scattering);
+  void end_segment();
+
+ private:
+  struct PendingSplat {
+    Splat splat;
+    Vec2 u;
+  };
+
+  void start(size_t first, size_t last);
+  void queue_splat(Subpath& path, const PathVertex& vertex, const Scattering& scattering);
+
+  const PassSetup& setup_;
+  RandomWalk walk_;
+  Film* film_ = nullptr;
+  LightVertices vertices_;
+  std::vector<Photon> photons_;
+  std::vector<Subpath> paths_;
+  std::vector<uint32_t> slots_;  // which of the batch each of paths_ is
+  std::vector<EmissionSample> emissions_;
+  std::vector<PendingSplat> pending_;
+  std::vector<Ray> shadow_rays_;
+  std::vector<uint8_t> blocked_;
+};
+
+}  // namespace guidelight

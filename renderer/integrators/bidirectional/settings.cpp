@@ -1,0 +1,91 @@
+#include "renderer/integrators/bidirectional/settings.h"
+
+namespace guidelight {
+
+BidirectionalSettings::BidirectionalSettings(BidirectionalKind which) : kind(which) {
+  switch (which) {
+    case BidirectionalKind::LightTracing:
+      emission = next_event = connections = merging = false;
+      break;
+    case BidirectionalKind::Bdpt:
+      merging = false;
+      break;
+    case BidirectionalKind::ProbabilisticPpm:
+      alpha = 2.0f / 3;
+      [[fallthrough]];
+    case BidirectionalKind::Bpm:
+      emission = next_event = light_tracing = connections = false;
+      merge_direct = true;
+      break;
+    case BidirectionalKind::Vcm:
+      break;
+  }
+}
+
+bool BidirectionalSettings::merges() const {
+  return merging && kind >= BidirectionalKind::ProbabilisticPpm;
+}
+
+bool BidirectionalSettings::connects_to_random_vertices() const {
+  return connections && connect_to == 1;
+}
+
+std::vector<Parameter> BidirectionalSettings::parameters() {
+  const bool combines = kind == BidirectionalKind::Bdpt || kind == BidirectionalKind::Vcm;
+  const bool is_vcm = kind == BidirectionalKind::Vcm;
+  std::vector<Parameter> list = {
+      {"max_length", "Longest path", "Longest path in segments, -1 has no limit.", "segments",
+       &max_length, -1, 1024},
+      {"min_length", "Shortest path",
+       "Shortest path in segments: 1 shows emitters, 2 begins with direct light.", "segments",
+       &min_length, 1, 1024},
+      {"light_paths", "Light paths", "Light paths per pixel and pass.", "per pixel", &light_paths,
+       0.01, 100, true},
+  };
+  const auto add = [&](bool shown, const Parameter& parameter) {
+    if (shown) list.push_back(parameter);
+  };
+  add(combines, {"emission", "Find emitters", "Technique s = 0: camera paths that hit a light.", "",
+                 &emission});
+  add(combines,
+      {"next_event", "Connect to lights",
+       "Technique s = 1: camera vertices connected to a point on a light.", "", &next_event});
+  add(combines, {"light_tracing", "Connect to the lens",
+                 "Technique t = 1: light vertices connected to the camera.", "", &light_tracing});
+  add(combines, {"connections", "Connect vertices",
+                 "Techniques with s, t >= 2: light vertices connected to camera vertices.", "",
+                 &connections});
+  add(combines,
+      {"connect_to", "Connected with",
+       "Every vertex of the pixel's own light path, or random vertices of all light paths.", "",
+       Parameter::Choice{&connect_to, {"own_path", "random_vertices"}}});
+  add(combines,
+      {"random_vertices", "Random vertices",
+       "Vertices per camera vertex, when they are chosen at random.", "", &random_vertices, 1, 64});
+  add(is_vcm, {"merging", "Merge vertices", "Merge camera vertices with photons.", "", &merging});
+  const bool can_merge = kind >= BidirectionalKind::ProbabilisticPpm;
+  add(can_merge, {"radius_from", "Radius from",
+                  "What the initial merging radius is measured in: the scene's size or the pixel's "
+                  "footprint where the camera path first meets a surface that is not specular.",
+                  "", Parameter::Choice{&radius_from, {"scene", "pixel"}}});
+  add(can_merge, {"scene_radius", "Radius", "Initial merging radius, if it is from the scene.",
+                  "% of scene radius", &scene_radius, 0, 100, true});
+  add(can_merge,
+      {"pixel_radius", "Radius in pixels", "Initial merging radius, if it is from the pixel.",
+       "pixels", &pixel_radius, 0, 1000, true});
+  add(can_merge, {"alpha", "Radius reduction",
+                  "The radius of pass i is r*i^((alpha-1)/2); 1 keeps it.", "", &alpha, 0.01, 1});
+  add(is_vcm,
+      {"merge_direct", "Merge direct light",
+       "Merge also direct light and directly visible caustics, which connections do better.", "",
+       &merge_direct});
+  add(can_merge, {"lean", "Save memory",
+                  "Keep photons only, and merge with those of the pass before.", "", &lean});
+  return list;
+}
+
+std::unique_ptr<IntegratorSettings> BidirectionalSettings::clone() const {
+  return std::make_unique<BidirectionalSettings>(*this);
+}
+
+}  // namespace guidelight

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "renderer/integrators/integrator.h"
+#include "renderer/transport/mis.h"
+
+namespace guidelight {
+
+/// The members of the family: what differs is which techniques they combine.
+enum class BidirectionalKind { LightTracing, Bdpt, ProbabilisticPpm, Bpm, Vcm };
+
+/// Settings of all integrators of the bidirectional kernel; each shows those that concern it.
+struct BidirectionalSettings : IntegratorSettings {
+  explicit BidirectionalSettings(BidirectionalKind which);
+
+  BidirectionalKind kind;
+  int max_length = 12;    // segments
+  int min_length = 1;     // segments
+  float light_paths = 1;  // per pixel and pass
+  bool emission = true;   // techniques, BDPT and VCM
+  bool next_event = true;
+  bool light_tracing = true;
+  bool connections = true;
+  bool merging = true;
+  int connect_to = 0;         // 0: the pixel's own light path, 1: random vertices of all
+  int random_vertices = 4;    // per camera vertex
+  int radius_from = 0;        // 0: the scene's size, 1: the pixel's footprint
+  float scene_radius = 0.3f;  // initial merging radius [% of the scene's bounding sphere's]
+  float pixel_radius = 2;     // initial merging radius [pixels]
+  float alpha = 0.75f;        // radius of pass i is r·i^((α-1)/2)
+  bool merge_direct = false;
+  bool lean = false;
+
+  bool merges() const;
+  bool connects_to_random_vertices() const;
+
+  std::vector<Parameter> parameters() override;
+  std::unique_ptr<IntegratorSettings> clone() const override;
+};
+
+}  // namespace guidelight

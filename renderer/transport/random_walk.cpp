@@ -1,0 +1,107 @@
+#include "renderer/transport/random_walk.h"
+
+#include <algorithm>
+
+namespace guidelight {
+
+namespace {
+
+/// Paths of dark surfaces are not cut so short that their few survivors become fireflies.
+constexpr float kLowestSurvival = 0.1f;
+
+/// Density of next-event estimation over that of emission for the point on the light where the path
+/// began, as its first vertex sees it; choosing the light cancels.
+float direct_over_emission(const Subpath& path, const SurfacePoint& vertex) {
+  const Light& light = *path.light;
+  if (light.is_delta()) return 1;
+  const EmissionSample& emission = *path.emission;
+  if (light.is_infinite()) {
+    return light.pdf_direct_from(-path.ray.direction) / emission.pdf_direction;
+  }
+  const float squared = length_squared(vertex.position - emission.point.position);
+  const float pdf_area =
+      light.pdf_direct(vertex.position, emission.point) * emission.cos_light / squared;
+  return pdf_area / emission.pdf_position;
+}
+
+}  // namespace
+
+float survival_probability(const SurfacePoint& point) {
+  return std::clamp(max_component(point.bsdf->albedo(point)), kLowestSurvival, 1.0f);
+}
+
+EscapePartials escape_partials(const Subpath& path) {
+  const float inverse_pdf = 1 / path.pdf;
+  const float chain = inverse_pdf * path.cos_origin;
+  return {{.inverse_pdf = path.is_connectible ? inverse_pdf : 0.0f,
+           .connection = chain * path.sums.connection,
+           .merging = chain * path.sums.merging},
+          chain * path.merging_before_origin};
+}
+
+PathVertex RandomWalk::arrive(const Subpath& path, const Hit& hit) const {
+  PathVertex vertex{.point = scene_.surface_point(path.ray, hit),
+                    .hit = hit,
+                    .wo = -path.ray.direction,
+                    .throughput = path.throughput,
+                    .partials = {},
+                    .merging_before_last = 0,
+                    .medium = path.medium,
+                    .survival = 1,
+                    .length = path.length + 1,
+                    .is_specular_chain = path.is_specular_chain};
+  if (path.medium) vertex.throughput *= path.medium->transmittance(hit.t);
+  vertex.survival = survival_probability(vertex.point);
+
+  // Densities per solid angle become densities per area by cosθ/d² (Veach 1997, 8.10).
+  const float cos_here = std::abs(glm::dot(vertex.wo, vertex.point.geometric_normal));
+  const float squared =
+      path.is_parallel ? 1.0f : length_squared(vertex.point.position - path.origin);
+  const float inverse_pdf = squared / (path.pdf * cos_here);
+  const float chain = inverse_pdf * path.cos_origin / squared;
+  vertex.partials.connection = chain * path.sums.connection;
+  vertex.partials.merging = chain * path.sums.merging;
+  vertex.merging_before_last = chain * path.merging_before_origin;
+  if (path.is_connectible) {
+    vertex.partials.inverse_pdf =
+        path.light ? inverse_pdf * direct_over_emission(path, vertex.point) : inverse_pdf;
+  }
+  return vertex;
+}
+
+bool RandomWalk::scatter(Subpath& path, const PathVertex& vertex,
+                         const Scattering& scattering) const {
+  if (vertex.survival < 1 && path.rng.next_float() >= vertex.survival) return false;
+  const float u_lobe = path.rng.next_float();
+  const auto sample = scattering.sample(u_lobe, path.rng.next_vec2());
+  if (!sample || is_black(sample->weight)) return false;
+
+  if (sample->is_delta()) {
+    // The discrete probability is the same from the other side: Fresnel's reflectance is.
+    path.sums = mis_sums_at_delta(vertex.partials, sample->pdf * vertex.survival);
+    path.merging_before_origin = path.sums.merging;
+  } else {
+    const float pdf_backward = scattering.pdf_reverse(sample->wi) * vertex.survival;
+    const bool from_light = mode_ == TransportMode::Importance;
+    const float count = from_light ? weights_.count_before_light_vertex(vertex.length)
+                                   : weights_.count_before_camera_vertex(vertex.length);
+    const float mergeable = from_light ? weights_.mergeable_light_vertex(vertex.length) : 1.0f;
+    path.sums = mis_sums(vertex.partials, pdf_backward, count, mergeable);
+    path.merging_before_origin = pdf_backward * vertex.partials.merging;
+  }
+  path.is_connectible = !sample->is_delta();
+  path.is_specular_chain &= sample->is_delta();
+  path.throughput = vertex.throughput * sample->weight / vertex.survival;
+  path.pdf = sample->pdf * vertex.survival;
+  path.cos_origin = std::abs(glm::dot(sample->wi, vertex.point.geometric_normal));
+  path.origin = vertex.point.position;
+  path.medium = medium_beyond(vertex.point, sample->wi, vertex.medium);
+  path.ray = vertex.point.spawn_ray(sample->wi);
+  path.length = vertex.length;
+  path.is_parallel = false;
+  path.light = nullptr;
+  path.emission = nullptr;
+  return path.pdf > 0;
+}
+
+}  // namespace guidelight
