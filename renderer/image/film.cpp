@@ -66,22 +66,40 @@ void add_atomically(double (&sums)[3], double weight, Color color) {
 
 }  // namespace
 
-void Film::add_splat(const Splat& splat, Vec2 u) {
+Film::SplatTarget Film::splat_target(Vec2 raster, Vec2 u) const {
   // As a camera sample belongs to one pixel, so does a splat: the filter chooses which.
-  const Filter::PixelChoice x = filter_.choose_pixel(splat.raster.x, u.x);
-  const Filter::PixelChoice y = filter_.choose_pixel(splat.raster.y, u.y);
-  if (x.pixel < 0 || y.pixel < 0 || x.pixel >= width_ || y.pixel >= height_) return;
+  const Filter::PixelChoice x = filter_.choose_pixel(raster.x, u.x);
+  const Filter::PixelChoice y = filter_.choose_pixel(raster.y, u.y);
+  if (x.pixel < 0 || y.pixel < 0 || x.pixel >= width_ || y.pixel >= height_) return {0, 0};
+  return {index(x.pixel, y.pixel), static_cast<double>(x.weight) * y.weight};
+}
+
+void Film::add_splat_at(const SplatTarget& target, const Splat& splat) {
+  if (target.weight == 0) return;
   if (!is_finite(splat.contribution)) {
     add_atomically(rejected_splats_, uint64_t{1});
     return;
   }
-  const size_t i = index(x.pixel, y.pixel);
-  const double weight = static_cast<double>(x.weight) * y.weight;
-  Radiance& sums = splats_[i];
-  add_atomically(splat.direct ? sums.direct : sums.indirect, weight, splat.contribution);
-  if (splat.caustic) add_atomically(sums.caustic, weight, splat.contribution);
-  add_atomically(statistics_[i].splat_sum,
-                 static_cast<float>(weight * luminance(splat.contribution)));
+  Radiance& sums = splats_[target.pixel];
+  add_atomically(splat.direct ? sums.direct : sums.indirect, target.weight, splat.contribution);
+  if (splat.caustic) add_atomically(sums.caustic, target.weight, splat.contribution);
+  add_atomically(statistics_[target.pixel].splat_sum,
+                 static_cast<float>(target.weight * luminance(splat.contribution)));
+}
+
+void Film::add_splats(std::span<const Splat> splats, std::span<const Vec2> u) {
+  // Splats are all over the picture, and hardly one finds its pixel in the cache.
+  constexpr size_t kBatch = 32;
+  std::array<SplatTarget, kBatch> targets;
+  for (size_t begin = 0; begin < splats.size(); begin += kBatch) {
+    const size_t count = std::min(kBatch, splats.size() - begin);
+    for (size_t i = 0; i < count; ++i) {
+      targets[i] = splat_target(splats[begin + i].raster, u[begin + i]);
+      __builtin_prefetch(&splats_[targets[i].pixel], 1);
+      __builtin_prefetch(&statistics_[targets[i].pixel], 1);
+    }
+    for (size_t i = 0; i < count; ++i) add_splat_at(targets[i], splats[begin + i]);
+  }
 }
 
 void Film::add_splat_count(uint64_t light_paths) { add_atomically(splat_count_, light_paths); }

@@ -56,7 +56,9 @@ class Film {
   /// Adds what a light path contributes to the picture; u chooses the offset of the pixel filter.
   /// A film develops W·H/splat_count times the sum. A splat that is not finite counts in
   /// rejected() only. Thread safe.
-  void add_splat(const Splat& splat, Vec2 u);
+  void add_splat(const Splat& splat, Vec2 u) { add_splats({&splat, 1}, {&u, 1}); }
+  /// Many at once are faster: they wait for memory together. `u` has the size of `splats`.
+  void add_splats(std::span<const Splat> splats, std::span<const Vec2> u);
   /// To be called with every batch of light paths, whether they brought splats or not, so that a
   /// pass that is given up leaves the right picture. Thread safe.
   void add_splat_count(uint64_t light_paths);
@@ -86,6 +88,13 @@ class Film {
   double estimated_relative_error() const;
 
  private:
+  struct SplatTarget {
+    size_t pixel;
+    double weight;  // 0: outside the picture
+  };
+  SplatTarget splat_target(Vec2 raster, Vec2 u) const;
+  void add_splat_at(const SplatTarget& target, const Splat& splat);
+
   struct Radiance {
     double direct[3] = {};
     double indirect[3] = {};

@@ -59,7 +59,7 @@ void Filter::tabulate() {
   for (int cell = 0; cell < kTableSize; ++cell) {
     sums[cell + 1] = sums[cell];
     for (int i = 0; i < kPointsPerCell; ++i) {
-      const double f = eval_axis(static_cast<float>((cell * kPointsPerCell + i + 0.5) * step));
+      const double f = exact_axis(static_cast<float>((cell * kPointsPerCell + i + 0.5) * step));
       integral += f * step;
       sums[cell + 1] += std::abs(f) * step;
     }
@@ -69,6 +69,9 @@ void Filter::tabulate() {
   absolute_integral_ = static_cast<float>(absolute / integral);
   for (int i = 0; i <= kTableSize; ++i) cdf_[i] = static_cast<float>(sums[i] / absolute);
   cdf_.back() = 1;
+  for (int i = 0; i <= kTableSize; ++i) {
+    values_[i] = exact_axis(radius_ * static_cast<float>(i) / kTableSize);
+  }
   int cell = 0;
   for (int k = 0; k < kTableSize; ++k) {
     while (cdf_[cell + 1] <= static_cast<float>(k) / kTableSize) ++cell;
@@ -76,10 +79,8 @@ void Filter::tabulate() {
   }
 }
 
-/// The filter before normalisation (after tabulate(), normalised), for |x| within the radius.
-float Filter::eval_axis(float x) const {
-  x = std::abs(x);
-  if (x > radius_) return 0;
+/// The filter (not yet normalised while it is tabulated) for x in [0, radius].
+float Filter::exact_axis(float x) const {
   switch (settings_.kind) {
     case FilterKind::Box:
       return normalisation_;
@@ -91,6 +92,15 @@ float Filter::eval_axis(float x) const {
       break;
   }
   return normalisation_ * mitchell(2 * x / radius_, settings_.b, settings_.c);
+}
+
+float Filter::eval_axis(float x) const {
+  x = std::abs(x);
+  if (x > radius_) return 0;
+  if (settings_.kind == FilterKind::Box || settings_.kind == FilterKind::Tent) return exact_axis(x);
+  const float cell = x / radius_ * kTableSize;
+  const int i = static_cast<int>(cell);
+  return std::lerp(values_[i], values_[i + 1], cell - static_cast<float>(i));
 }
 
 float Filter::eval(Vec2 offset) const { return eval_axis(offset.x) * eval_axis(offset.y); }
@@ -129,11 +139,13 @@ Filter::PixelChoice Filter::choose_pixel(float x, float u) const {
   for (int i = first; i <= last; ++i) total += std::abs(value(i));
   float rest = u * total;
   int chosen = first;
-  for (; chosen < last; ++chosen) {
-    rest -= std::abs(value(chosen));
+  float at_chosen = value(chosen);
+  while (chosen < last) {
+    rest -= std::abs(at_chosen);
     if (rest < 0) break;
+    at_chosen = value(++chosen);
   }
-  return {chosen, std::copysign(total, value(chosen))};
+  return {chosen, std::copysign(total, at_chosen)};
 }
 
 }  // namespace guidelight

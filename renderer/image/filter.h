@@ -52,6 +52,7 @@ class Filter {
     float weight;
   };
   void tabulate();
+  float exact_axis(float x) const;
   float eval_axis(float x) const;
   Axis sample_axis(float u) const;
 
@@ -62,6 +63,7 @@ class Filter {
   // For the kinds without a closed-form inverse: the CDF of |f| on [0, radius], and for the k-th
   // 256th of it the first cell that reaches beyond, where the search for u in that 256th begins.
   static constexpr int kTableSize = 256;
+  std::array<float, kTableSize + 2> values_{};  // normalised f at the cells' ends; one to spare
   std::array<float, kTableSize + 1> cdf_{};
   std::array<uint8_t, kTableSize> first_cell_{};
 };

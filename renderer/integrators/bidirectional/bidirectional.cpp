@@ -5,6 +5,7 @@
 #include "renderer/error.h"
 #include "renderer/integrators/bidirectional/camera_stage.h"
 #include "renderer/integrators/bidirectional/light_stage.h"
+#include "renderer/parallel/object_pool.h"
 
 namespace guidelight {
 
@@ -53,14 +54,18 @@ class Bidirectional : public Integrator {
   /// collected; those to merge with are given.
   void render_tile_by_tile(const PassSetup& setup, Film& film, const PassContext& context,
                            const HashGrid<Photon>* photons) {
+    ObjectPool<LightStage> light_stages([&] { return std::make_unique<LightStage>(setup); });
+    ObjectPool<CameraStage> camera_stages([&] { return std::make_unique<CameraStage>(setup); });
     for_each_tile(film, context, [&](const Tile& tile) {
-      LightStage light(setup);
-      light.trace(tile.first_of(setup.light_path_count), tile.last_of(setup.light_path_count),
-                  &film);
-      if (photons) tile_photons_[tile.index] = light.photons();
-      CameraStage camera(
-          setup, {.own = settings_.connections ? &light.vertices() : nullptr, .photons = photons});
-      camera.render(tile.pixels, film);
+      light_stages.with([&](LightStage& light) {
+        light.trace(tile.first_of(setup.light_path_count), tile.last_of(setup.light_path_count),
+                    &film);
+        if (photons) tile_photons_[tile.index] = light.photons();
+        const LightVertices* own = settings_.connections ? &light.vertices() : nullptr;
+        camera_stages.with([&](CameraStage& camera) {
+          camera.render(tile.pixels, {.own = own, .photons = photons}, film);
+        });
+      });
     });
   }
 
@@ -84,39 +89,50 @@ class Bidirectional : public Integrator {
   void trace_photons_before(const PassSetup& setup, const Film& film, const PassContext& context) {
     PassSetup before = setup;
     before.pass = setup.pass - 1;
-    tile_photons_.assign(tile_count(film, context), {});
+    trace_light_paths(before, film, context, nullptr);
+  }
+
+  /// Fills tile_photons_ and tile_vertices_.
+  void trace_light_paths(const PassSetup& setup, const Film& film, const PassContext& context,
+                         Film* splats) {
+    const size_t tiles = tile_count(film, context);
+    tile_photons_.resize(tiles);
+    tile_vertices_.resize(settings_.connections && !settings_.lean ? tiles : 0);
+    ObjectPool<LightStage> stages([&] { return std::make_unique<LightStage>(setup); });
     for_each_tile(film, context, [&](const Tile& tile) {
-      LightStage light(before);
-      light.trace(tile.first_of(setup.light_path_count), tile.last_of(setup.light_path_count),
-                  nullptr);
-      tile_photons_[tile.index] = light.photons();
+      stages.with([&](LightStage& light) {
+        light.trace(tile.first_of(setup.light_path_count), tile.last_of(setup.light_path_count),
+                    splats);
+        tile_photons_[tile.index] = light.photons();
+        if (!tile_vertices_.empty()) tile_vertices_[tile.index].store(light.vertices());
+      });
     });
   }
 
   /// All light paths first, then all camera paths.
   void render_in_two_stages(const PassSetup& setup, Film& film, const PassContext& context) {
-    const size_t tiles = tile_count(film, context);
-    tile_photons_.resize(tiles);
-    tile_vertices_.resize(settings_.connections ? tiles : 0);
-    for_each_tile(film, context, [&](const Tile& tile) {
-      LightStage light(setup);
-      light.trace(tile.first_of(setup.light_path_count), tile.last_of(setup.light_path_count),
-                  &film);
-      tile_photons_[tile.index] = light.photons();
-      if (settings_.connections) tile_vertices_[tile.index].store(light.vertices());
-    });
+    trace_light_paths(setup, film, context, &film);
     if (settings_.merges()) build_grid(setup, context);
     const VertexCache cache(tile_vertices_);
+    ObjectPool<LightVertices> vertices([] { return std::make_unique<LightVertices>(); });
+    ObjectPool<CameraStage> stages([&] { return std::make_unique<CameraStage>(setup); });
     for_each_tile(film, context, [&](const Tile& tile) {
-      LightVertices own;
       LightSide side{.photons = settings_.merges() ? &grid_ : nullptr};
+      const auto render = [&] {
+        stages.with([&](CameraStage& stage) { stage.render(tile.pixels, side, film); });
+      };
       if (settings_.connects_to_random_vertices()) {
         side.cache = &cache;
+        render();
       } else if (settings_.connections) {
-        tile_vertices_[tile.index].restore(*scene_, own);
-        side.own = &own;
+        vertices.with([&](LightVertices& own) {
+          tile_vertices_[tile.index].restore(*scene_, own);
+          side.own = &own;
+          render();
+        });
+      } else {
+        render();
       }
-      CameraStage(setup, side).render(tile.pixels, film);
     });
   }
 

@@ -29,10 +29,11 @@ void CameraStage::PathState::add(int length, Color contribution, bool is_caustic
   if (is_caustic) sample.caustic += contribution;
 }
 
-CameraStage::CameraStage(const PassSetup& setup, const LightSide& light)
-    : setup_(setup), light_(light), walk_(setup.scene, TransportMode::Radiance, setup.weights) {}
+CameraStage::CameraStage(const PassSetup& setup)
+    : setup_(setup), walk_(setup.scene, TransportMode::Radiance, setup.weights) {}
 
-void CameraStage::render(const PixelRegion& tile, Film& film) {
+void CameraStage::render(const PixelRegion& tile, const LightSide& light, Film& film) {
+  light_ = light;
   start(tile, film.filter());
   walk_.run(paths_, *this);
   size_t i = 0;

@@ -38,9 +38,9 @@ struct LightSide {
 /// Traces the camera paths of a tile and closes them in every way but t = 1.
 class CameraStage {
  public:
-  CameraStage(const PassSetup& setup, const LightSide& light);
+  explicit CameraStage(const PassSetup& setup);
 
-  void render(const PixelRegion& tile, Film& film);
+  void render(const PixelRegion& tile, const LightSide& light, Film& film);
 
   // RandomWalk's visitor.
   void escaped(uint32_t index, Subpath& path);

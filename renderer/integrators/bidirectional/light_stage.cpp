@@ -65,21 +65,27 @@ void LightStage::queue_splat(Subpath& path, const PathVertex& vertex,
   const float eta = setup_.radius.eta(setup_.radius.at(lens->distance));
   const float weight = weights.light_tracing(sums, lens->pdf_arrival, eta);
   shadow_rays_.push_back(lens->shadow_ray);
-  pending_.push_back({{.raster = lens->raster,
-                       .contribution = lens->contribution * weight,
-                       .direct = vertex.length == 1,
-                       .caustic = vertex.is_caustic()},
-                      path.rng.next_vec2()});
+  filter_u_.push_back(path.rng.next_vec2());
+  splats_.push_back({.raster = lens->raster,
+                     .contribution = lens->contribution * weight,
+                     .direct = vertex.length == 1,
+                     .caustic = vertex.is_caustic()});
 }
 
 void LightStage::end_segment() {
+  if (splats_.empty()) return;
   blocked_.resize(shadow_rays_.size());
   setup_.scene.occluded(shadow_rays_, blocked_);
-  for (size_t i = 0; i < pending_.size(); ++i) {
-    if (!blocked_[i]) film_->add_splat(pending_[i].splat, pending_[i].u);
+  size_t visible = 0;
+  for (size_t i = 0; i < splats_.size(); ++i) {
+    if (blocked_[i]) continue;
+    splats_[visible] = splats_[i];
+    filter_u_[visible++] = filter_u_[i];
   }
+  film_->add_splats({splats_.data(), visible}, {filter_u_.data(), visible});
+  splats_.clear();
+  filter_u_.clear();
   shadow_rays_.clear();
-  pending_.clear();
 }
 
 }  // namespace guidelight

@@ -31,11 +31,6 @@ class LightStage {
   void end_segment();
 
  private:
-  struct PendingSplat {
-    Splat splat;
-    Vec2 u;
-  };
-
   void start(size_t first, size_t last);
   void queue_splat(Subpath& path, const PathVertex& vertex, const Scattering& scattering);
 
@@ -47,7 +42,9 @@ class LightStage {
   std::vector<Subpath> paths_;
   std::vector<uint32_t> slots_;  // which of the batch each of paths_ is
   std::vector<EmissionSample> emissions_;
-  std::vector<PendingSplat> pending_;
+  // Splats and what belongs to each.
+  std::vector<Splat> splats_;
+  std::vector<Vec2> filter_u_;
   std::vector<Ray> shadow_rays_;
   std::vector<uint8_t> blocked_;
 };
