@@ -62,18 +62,14 @@ void CameraStage::escaped(uint32_t index, Subpath& path) {
   if (!setup_.is_shown(length)) return;
   PathState& state = states_[index];
   state.extend(path);
-  const EscapePartials end = escape_partials(path);
-  const Vec3 towards = path.ray.direction;
   for (const Light* light : setup_.scene.infinite_lights()) {
-    const Color radiance = light->radiance_from(towards);
+    const Color radiance = light->radiance_from(path.ray.direction);
     if (is_black(radiance)) continue;
     float weight = 1;
     if (length > 1) {
-      const float probability = setup_.scene.light_probability(*light);
-      const EmissionPdf emission = light->pdf_emission({}, -towards);
-      weight = emission_weight(state, end.partials, end.merging_before_last,
-                               probability * light->pdf_direct_from(towards),
-                               probability * emission.position * emission.direction);
+      const EmissionEnd end =
+          end_at_infinity(setup_.scene, path, *light, state.is_direct_caustic());
+      weight = path_weight(setup_.weights, end, state.eta);
     }
     state.add(length, path.throughput * radiance * weight, state.is_caustic());
   }
@@ -106,32 +102,14 @@ bool CameraStage::visit(uint32_t index, Subpath& path, const PathVertex& vertex,
 
 void CameraStage::add_emission(PathState& state, const Subpath& path,
                                const PathVertex& vertex) const {
-  const Light& light = *vertex.point.light;
-  const Color radiance = light.radiance(vertex.point, vertex.wo);
+  const Color radiance = vertex.point.light->radiance(vertex.point, vertex.wo);
   if (is_black(radiance)) return;
   float weight = 1;
   if (vertex.length > 1) {
-    const float probability = setup_.scene.light_probability(light);
-    const EmissionPdf emission = light.pdf_emission(vertex.point, vertex.wo);
-    const float to_area = std::abs(glm::dot(vertex.wo, vertex.point.geometric_normal)) /
-                          length_squared(vertex.point.position - path.origin);
-    weight = emission_weight(state, vertex.partials, vertex.merging_before_last,
-                             probability * light.pdf_direct(path.origin, vertex.point) * to_area,
-                             probability * emission.position * emission.direction);
+    const EmissionEnd end = end_on_light(setup_.scene, path, vertex, state.is_direct_caustic());
+    weight = path_weight(setup_.weights, end, state.eta);
   }
   state.add(vertex.length, vertex.throughput * radiance * weight, state.is_caustic());
-}
-
-float CameraStage::emission_weight(const PathState& state, MisPartials partials,
-                                   float merging_before_last, float pdf_direct,
-                                   float pdf_emission) const {
-  if (!setup_.weights.counts().merge_direct) {
-    // A merge at the last vertex would be one of direct light, and one at the first a directly
-    // visible caustic if all others are specular.
-    const bool is_direct_caustic = state.finite_vertices == 1 && state.first_is_finite;
-    partials.merging = is_direct_caustic ? 0.0f : merging_before_last;
-  }
-  return setup_.weights.emission(partials, pdf_direct, pdf_emission, state.eta);
 }
 
 void CameraStage::connect_light(uint32_t index, Subpath& path, const PathVertex& vertex,
@@ -140,12 +118,7 @@ void CameraStage::connect_light(uint32_t index, Subpath& path, const PathVertex&
   const auto direct =
       connect_to_light(setup_.scene, vertex, scattering, u_light, path.rng.next_vec2());
   if (!direct) return;
-  const MisWeights& weights = setup_.weights;
-  const MisSums sums = mis_sums(vertex.partials, direct->pdf_backward,
-                                weights.count_before_camera_vertex(vertex.length),
-                                weights.mergeable_light_vertex(1));
-  const float weight =
-      weights.next_event(sums, direct->emission_ratio, direct->hit_ratio, states_[index].eta);
+  const float weight = path_weight(setup_.weights, vertex, *direct, states_[index].eta);
   queue(index, vertex.length + 1, direct->shadow_ray, direct->contribution * weight);
 }
 
@@ -182,14 +155,7 @@ void CameraStage::connect(uint32_t index, const PathVertex& light, const PathVer
   const Scattering light_scattering(light.point, light.wo, TransportMode::Importance);
   const auto connection = connect_vertices(light, light_scattering, vertex, scattering);
   if (!connection) return;
-  const MisWeights& weights = setup_.weights;
-  const MisSums light_sums = mis_sums(light.partials, connection->pdf_backward_light,
-                                      weights.count_before_light_vertex(light.length),
-                                      weights.mergeable_light_vertex(light.length));
-  const MisSums camera_sums = mis_sums(vertex.partials, connection->pdf_backward_camera,
-                                       weights.count_before_camera_vertex(vertex.length), 1.0f);
-  const float weight = weights.connection(light_sums, connection->pdf_arrival_light, camera_sums,
-                                          connection->pdf_arrival_camera, states_[index].eta);
+  const float weight = path_weight(setup_.weights, light, vertex, *connection, states_[index].eta);
   queue(index, length, connection->shadow_ray, connection->contribution * (weight * scale));
 }
 
@@ -198,7 +164,6 @@ void CameraStage::merge(PathState& state, const PathVertex& vertex,
   if (!(state.radius > 0)) return;
   const MisWeights& weights = setup_.weights;
   const bool is_weighted = setup_.settings.kind != BidirectionalKind::ProbabilisticPpm;
-  const float camera_count = weights.count_before_camera_vertex(vertex.length);
   const bool skip_caustics = !weights.counts().merge_direct && vertex.length == 1;
   const Color scale = vertex.throughput / state.eta;  // density estimate: 1/(N_L π r²)
   light_.photons->for_each_within(
@@ -211,12 +176,12 @@ void CameraStage::merge(PathState& state, const PathVertex& vertex,
         if (is_black(value)) return;
         float weight = 1;
         if (is_weighted) {
-          const float count = weights.count_before_light_vertex(photon.length());
-          const float pdf_to_light = scattering.pdf(wi) * vertex.survival;
-          const float pdf_to_camera = scattering.pdf_reverse(wi) * vertex.survival;
-          weight = weights.merging(mis_sums(photon.partials, pdf_to_light, count, 0.0f),
-                                   mis_sums(vertex.partials, pdf_to_camera, camera_count, 0.0f),
-                                   state.eta);
+          weight = path_weight(weights, vertex,
+                               {.photon = photon.partials,
+                                .photon_length = photon.length(),
+                                .pdf_to_light = scattering.pdf(wi) * vertex.survival,
+                                .pdf_to_camera = scattering.pdf_reverse(wi) * vertex.survival},
+                               state.eta);
         }
         // Photons arrive through the true surface: their flux already contains its cosine.
         const float cosine = std::abs(glm::dot(wi, vertex.point.geometric_normal));

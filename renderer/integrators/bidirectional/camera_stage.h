@@ -9,8 +9,7 @@
 #include "renderer/integrators/tiles.h"
 #include "renderer/photons/hash_grid.h"
 #include "renderer/photons/photon.h"
-#include "renderer/transport/connect.h"
-#include "renderer/transport/random_walk.h"
+#include "renderer/transport/path_weights.h"
 
 namespace guidelight {
 
@@ -63,6 +62,7 @@ class CameraStage {
     void add(int length, Color contribution, bool is_caustic = false);
     /// After one finite vertex, specular ones alone.
     bool is_caustic() const { return finite_vertices == 1 && is_specular_tail; }
+    bool is_direct_caustic() const { return finite_vertices == 1 && first_is_finite; }
   };
   struct PendingLight {
     uint32_t path;
@@ -80,9 +80,6 @@ class CameraStage {
   void connect(uint32_t index, const PathVertex& light, const PathVertex& vertex,
                const Scattering& scattering, float scale);
   void merge(PathState& state, const PathVertex& vertex, const Scattering& scattering) const;
-  /// Balance heuristic of technique s = 0.
-  float emission_weight(const PathState& state, MisPartials partials, float merging_before_last,
-                        float pdf_direct, float pdf_emission) const;
   void queue(uint32_t index, int length, const Ray& shadow_ray, Color contribution);
 
   const PassSetup& setup_;

@@ -57,13 +57,8 @@ void LightStage::queue_splat(Subpath& path, const PathVertex& vertex,
   const auto lens =
       connect_to_lens(setup_.scene.camera(), vertex, scattering, path.rng.next_vec2());
   if (!lens) return;
-  const MisWeights& weights = setup_.weights;
-  const bool can_merge = weights.counts().merge_direct || !vertex.is_caustic();
-  const MisSums sums = mis_sums(vertex.partials, lens->pdf_backward,
-                                weights.count_before_light_vertex(vertex.length),
-                                can_merge ? weights.mergeable_light_vertex(vertex.length) : 0.0f);
   const float eta = setup_.radius.eta(setup_.radius.at(lens->distance));
-  const float weight = weights.light_tracing(sums, lens->pdf_arrival, eta);
+  const float weight = path_weight(setup_.weights, vertex, *lens, eta);
   shadow_rays_.push_back(lens->shadow_ray);
   filter_u_.push_back(path.rng.next_vec2());
   splats_.push_back({.raster = lens->raster,

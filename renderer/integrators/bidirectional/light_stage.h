@@ -6,8 +6,7 @@
 #include "renderer/integrators/bidirectional/light_vertices.h"
 #include "renderer/integrators/bidirectional/pass_setup.h"
 #include "renderer/photons/photon.h"
-#include "renderer/transport/connect.h"
-#include "renderer/transport/random_walk.h"
+#include "renderer/transport/path_weights.h"
 
 namespace guidelight {
 

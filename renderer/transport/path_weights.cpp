@@ -1,0 +1,78 @@
+#include "renderer/transport/path_weights.h"
+
+#include <cmath>
+
+namespace guidelight {
+
+float path_weight(const MisWeights& weights, const PathVertex& vertex,
+                  const DirectConnection& connection, float eta) {
+  const MisSums sums = mis_sums(vertex.partials, connection.pdf_backward,
+                                weights.count_before_camera_vertex(vertex.length),
+                                weights.mergeable_light_vertex(1));
+  return weights.next_event(sums, connection.emission_ratio, connection.hit_ratio, eta);
+}
+
+float path_weight(const MisWeights& weights, const PathVertex& light, const PathVertex& camera,
+                  const VertexConnection& connection, float eta) {
+  const MisSums light_sums = mis_sums(light.partials, connection.pdf_backward_light,
+                                      weights.count_before_light_vertex(light.length),
+                                      weights.mergeable_light_vertex(light.length));
+  const MisSums camera_sums = mis_sums(camera.partials, connection.pdf_backward_camera,
+                                       weights.count_before_camera_vertex(camera.length), 1.0f);
+  return weights.connection(light_sums, connection.pdf_arrival_light, camera_sums,
+                            connection.pdf_arrival_camera, eta);
+}
+
+float path_weight(const MisWeights& weights, const PathVertex& vertex,
+                  const LensConnection& connection, float eta) {
+  const bool can_merge = weights.counts().merge_direct || !vertex.is_caustic();
+  const MisSums sums = mis_sums(vertex.partials, connection.pdf_backward,
+                                weights.count_before_light_vertex(vertex.length),
+                                can_merge ? weights.mergeable_light_vertex(vertex.length) : 0.0f);
+  return weights.light_tracing(sums, connection.pdf_arrival, eta);
+}
+
+EmissionEnd end_on_light(const Scene& scene, const Subpath& path, const PathVertex& vertex,
+                         bool is_direct_caustic) {
+  const Light& light = *vertex.point.light;
+  const float probability = scene.light_probability(light);
+  const EmissionPdf emission = light.pdf_emission(vertex.point, vertex.wo);
+  const float to_area = std::abs(glm::dot(vertex.wo, vertex.point.geometric_normal)) /
+                        length_squared(vertex.point.position - path.origin);
+  return {vertex.partials, vertex.merging_before_last, is_direct_caustic,
+          probability * light.pdf_direct(path.origin, vertex.point) * to_area,
+          probability * emission.position * emission.direction};
+}
+
+EmissionEnd end_at_infinity(const Scene& scene, const Subpath& path, const Light& light,
+                            bool is_direct_caustic) {
+  const Vec3 towards = path.ray.direction;
+  const float probability = scene.light_probability(light);
+  const EmissionPdf emission = light.pdf_emission({}, -towards);
+  const EscapePartials end = escape_partials(path);
+  return {end.partials, end.merging_before_last, is_direct_caustic,
+          probability * light.pdf_direct_from(towards),
+          probability * emission.position * emission.direction};
+}
+
+float path_weight(const MisWeights& weights, const EmissionEnd& end, float eta) {
+  MisPartials partials = end.partials;
+  if (!weights.counts().merge_direct) {
+    // A merge at the last vertex would be one of direct light, and one at the first a directly
+    // visible caustic if all others are specular.
+    partials.merging = end.is_direct_caustic ? 0.0f : end.merging_before_last;
+  }
+  return weights.emission(partials, end.pdf_direct, end.pdf_emission, eta);
+}
+
+float path_weight(const MisWeights& weights, const PathVertex& vertex, const Merge& merge,
+                  float eta) {
+  // The merge itself stands apart, so no technique is counted at its own vertex.
+  return weights.merging(mis_sums(merge.photon, merge.pdf_to_light,
+                                  weights.count_before_light_vertex(merge.photon_length), 0.0f),
+                         mis_sums(vertex.partials, merge.pdf_to_camera,
+                                  weights.count_before_camera_vertex(vertex.length), 0.0f),
+                         eta);
+}
+
+}  // namespace guidelight
