@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -60,9 +61,23 @@ template <class Visit>
 void HashGrid<Item>::for_each_within(Vec3 center, float radius, Visit&& visit) const {
   const float radius_squared = sqr(radius);
   const auto scan = [&](uint32_t begin, uint32_t end, auto&& belongs) {
-    for (uint32_t i = begin; i < end; ++i) {
-      const float squared = length_squared(items_[i].position - center);
-      if (squared < radius_squared && belongs(items_[i].position)) visit(items_[i], squared);
+    // Which candidates are near is hard to predict, so they are sorted out without a branch.
+    constexpr uint32_t kBlock = 32;
+    std::array<uint32_t, kBlock> near_index;
+    std::array<float, kBlock> near_squared;
+    while (begin < end) {
+      const uint32_t block_end = std::min(begin + kBlock, end);
+      uint32_t count = 0;
+      for (; begin < block_end; ++begin) {
+        const float squared = length_squared(items_[begin].position - center);
+        near_index[count] = begin;
+        near_squared[count] = squared;
+        count += squared < radius_squared ? 1 : 0;
+      }
+      for (uint32_t i = 0; i < count; ++i) {
+        const Item& item = items_[near_index[i]];
+        if (belongs(item.position)) visit(item, near_squared[i]);
+      }
     }
   };
   const auto range = cells_.overlapped(center, radius);

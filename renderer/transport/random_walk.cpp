@@ -88,6 +88,7 @@ bool RandomWalk::scatter(Subpath& path, const PathVertex& vertex,
     const float mergeable = from_light ? weights_.mergeable_light_vertex(vertex.length) : 1.0f;
     path.sums = mis_sums(vertex.partials, pdf_backward, count, mergeable);
     path.merging_before_origin = pdf_backward * vertex.partials.merging;
+    path.pdf_backward = pdf_backward;
   }
   path.is_connectible = !sample->is_delta();
   path.is_specular_chain &= sample->is_delta();

@@ -18,6 +18,8 @@ struct Subpath {
   Color throughput{1.0f};  // of everything up to this segment's direction
   float pdf = 0;           // of the direction per solid angle, survival included; discrete
                            // probability after a delta lobe
+  float pdf_backward = 0;  // of scattering back at the origin, where that was by a finite lobe; per
+                           // solid angle, survival included
   float cos_origin = 1;    // between the direction and the geometric normal at the origin
   MisSums sums;            // at the origin
   float merging_before_origin = 0;  // the part of sums.merging without the origin itself

@@ -1,0 +1,66 @@
+#include "renderer/integrators/photon_mapping/emission_stage.h"
+
+#include <algorithm>
+
+namespace guidelight {
+
+namespace {
+
+/// Light paths draw other random numbers than the camera path of the same number.
+constexpr uint64_t kEmissionStream = 0x70686f746f6eull;
+constexpr size_t kPathsPerTask = 1024;
+
+void append(std::vector<SurfacePhoton>& to, const std::vector<SurfacePhoton>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+}  // namespace
+
+EmissionStage::EmissionStage(const PhotonMappingPass& setup)
+    : setup_(setup), walk_(setup.scene, TransportMode::Importance, unused_weights_) {}
+
+EmissionStage::Photons EmissionStage::trace_all(const PhotonMappingPass& setup,
+                                                Parallel& parallel) {
+  const auto count = static_cast<size_t>(setup.settings.light_paths);
+  std::vector<Photons> parts((count + kPathsPerTask - 1) / kPathsPerTask);
+  parallel.for_each(parts.size(), [&](size_t task) {
+    EmissionStage stage(setup);
+    stage.trace(task * kPathsPerTask, std::min(count, (task + 1) * kPathsPerTask));
+    parts[task] = std::move(stage.photons_);
+  });
+  Photons all;
+  for (const Photons& part : parts) {
+    append(all.global, part.global);
+    append(all.caustic, part.caustic);
+  }
+  return all;
+}
+
+void EmissionStage::trace(size_t first, size_t last) {
+  paths_.clear();
+  emissions_.resize(last - first);
+  for (size_t i = first; i < last; ++i) {
+    const Rng rng(setup_.seed ^ kEmissionStream, setup_.pass, i);
+    const auto path = start_light_path(setup_.scene, rng, 1, emissions_[i - first]);
+    if (path) paths_.push_back(*path);
+  }
+  is_sharp_.assign(paths_.size(), 1);
+  walk_.run(paths_, *this);
+}
+
+bool EmissionStage::visit(uint32_t index, Subpath& path, const PathVertex& vertex,
+                          const Scattering&) {
+  const int max_length = setup_.global.max_length;
+  if (path.length > 0 && !setup_.global.sharp.at_origin(path)) is_sharp_[index] = 0;
+  if (vertex.is_connectible()) {
+    const bool is_caustic = is_sharp_[index] && vertex.length > 1;
+    const Color power = vertex.throughput / static_cast<float>(setup_.settings.light_paths);
+    const SurfacePhoton photon = make_surface_photon(vertex, power, is_caustic);
+    if (is_caustic && vertex.length < max_length) photons_.caustic.push_back(photon);
+    if (vertex.length < max_length - 1) photons_.global.push_back(photon);
+  }
+  // The next vertex is of use if at least one segment may follow it.
+  return vertex.length + 1 < max_length;
+}
+
+}  // namespace guidelight

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "renderer/integrators/photon_mapping/settings.h"
+#include "renderer/transport/random_walk.h"
+
+namespace guidelight {
+
+/// The first of the two passes: traces light paths and keeps their vertices as photons.
+class EmissionStage {
+ public:
+  struct Photons {
+    std::vector<SurfacePhoton> global;   // L (S|D)* D
+    std::vector<SurfacePhoton> caustic;  // L S+ D
+  };
+
+  explicit EmissionStage(const PhotonMappingPass& setup);
+
+  /// Photons of all light paths of the pass, in order.
+  static Photons trace_all(const PhotonMappingPass& setup, Parallel& parallel);
+
+  /// Traces paths [first, last).
+  void trace(size_t first, size_t last);
+
+  // RandomWalk's visitor.
+  void escaped(uint32_t, Subpath&) {}
+  bool visit(uint32_t index, Subpath& path, const PathVertex& vertex, const Scattering& scattering);
+  void end_segment() {}
+
+ private:
+  const PhotonMappingPass& setup_;
+  MisWeights unused_weights_{TechniqueCounts{}};
+  RandomWalk walk_;
+  Photons photons_;
+  std::vector<Subpath> paths_;
+  std::vector<EmissionSample> emissions_;
+  std::vector<uint8_t> is_sharp_;  // whether each path has scattered sharply alone
+};
+
+}  // namespace guidelight

@@ -1,0 +1,72 @@
+#include "renderer/integrators/photon_mapping/settings.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace guidelight {
+
+std::vector<Parameter> PhotonMappingSettings::parameters() {
+  return {
+      {"light_paths", "Light paths", "Light paths per pass; each leaves several photons.", "",
+       &light_paths, 1, 100e6, true},
+      {"max_length", "Longest path", "Longest path in segments, -1 has no limit.", "segments",
+       &max_length, -1, 1024},
+      {"min_length", "Shortest path",
+       "Shortest path in segments: 1 shows emitters, 2 begins with direct light.", "segments",
+       &min_length, 1, 1024},
+      {"neighbors", "Photons per estimate", "Nearest photons that an estimate is made of.", "",
+       &neighbors, 2, static_cast<double>(EstimateSettings::kMaxNeighbors), true},
+      {"global_distance", "Search distance", "Largest radius of an estimate from the global map.",
+       "% of scene radius", &global_distance, 0, 100, true},
+      {"caustic_distance", "Search distance of caustics",
+       "Largest radius of an estimate from the caustic map.", "% of scene radius",
+       &caustic_distance, 0, 100, true},
+      {"kernel", "Kernel", "How photons count between the centre of an estimate and its rim.", "",
+       Parameter::Choice{&kernel, {"constant", "cone", "epanechnikov"}}},
+      {"alpha", "Shrinking",
+       "Pass i takes k*i^(alpha-1) photons from a radius r*i^((alpha-1)/2); 1 shrinks neither.", "",
+       &alpha, 0.01, 1},
+      {"gather_rays", "Gather rays", "Rays per point where indirect light is gathered.", "",
+       &gather_rays, 1, 10000, true},
+      {"sharpness", "Sharp scattering",
+       "Scattering of a higher density is followed like a mirror's, any other estimated from "
+       "photons.",
+       "1/sr", &sharpness, 0.35, 1e6, true},
+      {"precomputed_irradiance", "Precomputed irradiance",
+       "Computes irradiance ahead at every fourth photon; gather rays then look up one point "
+       "instead of k.",
+       "", &precomputed_irradiance},
+      {"irradiance_cache", "Irradiance cache",
+       "Gathers at few points and interpolates by gradients, on surfaces that reflect light "
+       "evenly.",
+       "", &irradiance_cache},
+      {"cache_accuracy", "Cache accuracy",
+       "Relative error that the cache's model allows: smaller means more points.", "",
+       &cache_accuracy, 0.01, 1, true},
+  };
+}
+
+std::unique_ptr<IntegratorSettings> PhotonMappingSettings::clone() const {
+  return std::make_unique<PhotonMappingSettings>(*this);
+}
+
+PhotonMappingPass::PhotonMappingPass(const Scene& the_scene,
+                                     const PhotonMappingSettings& the_settings, uint32_t the_pass,
+                                     uint64_t the_seed)
+    : scene(the_scene), settings(the_settings), pass(the_pass), seed(the_seed) {
+  const float shrink = std::pow(static_cast<float>(pass) + 1, settings.alpha - 1);
+  const float percent = 0.01f * scene.bounds().radius() * std::sqrt(shrink);
+  // Fewer than 3 make an estimate whose variance has no bound.
+  const float shrunk = std::max(3.0f, static_cast<float>(settings.neighbors) * shrink);
+  global.neighbors = std::min(settings.neighbors, static_cast<int>(std::lround(shrunk)));
+  global.max_distance = settings.global_distance * percent;
+  global.kernel = static_cast<Kernel>(settings.kernel);
+  global.min_length = settings.min_length;
+  global.max_length =
+      settings.max_length < 0 ? std::numeric_limits<int>::max() : settings.max_length;
+  global.sharp = SharpScattering(settings.sharpness);
+  caustic = global;
+  caustic.max_distance = settings.caustic_distance * percent;
+}
+
+}  // namespace guidelight

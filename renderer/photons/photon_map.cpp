@@ -1,0 +1,111 @@
+#include "renderer/photons/photon_map.h"
+
+#include <algorithm>
+
+namespace guidelight {
+
+namespace {
+
+using Buffer = std::array<Neighbor, EstimateSettings::kMaxNeighbors>;
+
+}  // namespace
+
+SurfacePhoton make_surface_photon(const PathVertex& vertex, Color power, bool caustic) {
+  const Vec3 normal = vertex.point.geometric_normal;
+  SurfacePhoton photon;
+  static_cast<Photon&>(photon) =
+      make_photon(vertex.point.position, vertex.wo, power, vertex.length, caustic);
+  photon.packed_normal = pack_direction(glm::dot(normal, vertex.wo) < 0 ? -normal : normal);
+  return photon;
+}
+
+Color PhotonMap::radiance(const PathVertex& vertex, const Scattering& scattering,
+                          const EstimateSettings& settings) const {
+  const SurfacePoint& point = vertex.point;
+  Buffer buffer;
+  const Neighbors neighbors =
+      tree_.nearest(point.position, settings.neighbors, settings.max_distance, buffer);
+  Color sum(0.0f);
+  for (const Neighbor& neighbor : neighbors.found) {
+    const SurfacePhoton& photon = tree_.items()[neighbor.index];
+    const int length = vertex.length + photon.length();
+    if (length < settings.min_length || length > settings.max_length) continue;
+    if (!is_same_surface(photon.normal(), point.geometric_normal)) continue;
+    const Vec3 wi = photon.direction();
+    const Color value = scattering.value(wi);
+    if (is_black(value) || settings.sharp(vertex, scattering, wi)) continue;
+    // The flux arrived through the true surface: the cosine with its normal is part of it.
+    const float cosine = std::abs(glm::dot(wi, point.geometric_normal));
+    if (cosine == 0) continue;
+    sum += value * photon.power() *
+           (kernel_value(settings.kernel, neighbor.distance_squared, neighbors.radius_squared) /
+            cosine);
+  }
+  return sum;
+}
+
+Color PhotonMap::irradiance(Vec3 position, Vec3 normal, const EstimateSettings& settings,
+                            int max_length) const {
+  Buffer buffer;
+  const Neighbors neighbors =
+      tree_.nearest(position, settings.neighbors, settings.max_distance, buffer);
+  Color sum(0.0f);
+  for (const Neighbor& neighbor : neighbors.found) {
+    const SurfacePhoton& photon = tree_.items()[neighbor.index];
+    const Vec3 photon_normal = photon.normal();
+    if (photon.length() > max_length || !is_same_surface(photon_normal, normal) ||
+        glm::dot(photon_normal, normal) < 0) {
+      continue;
+    }
+    sum += photon.power() *
+           kernel_value(settings.kernel, neighbor.distance_squared, neighbors.radius_squared);
+  }
+  return sum;
+}
+
+IrradianceMap::IrradianceMap(const PhotonMap& photons, const EstimateSettings& settings,
+                             int max_length, Parallel& parallel) {
+  constexpr size_t kStride = 4;
+  constexpr size_t kPointsPerTask = 256;
+  std::vector<Point> points((photons.photons().size() + kStride - 1) / kStride);
+  parallel.for_each((points.size() + kPointsPerTask - 1) / kPointsPerTask, [&](size_t task) {
+    const size_t end = std::min(points.size(), (task + 1) * kPointsPerTask);
+    for (size_t i = task * kPointsPerTask; i < end; ++i) {
+      const SurfacePhoton& photon = photons.photons()[i * kStride];
+      points[i] = {photon.position, photon.packed_normal,
+                   photons.irradiance(photon.position, photon.normal(), settings, max_length)};
+    }
+  });
+  tree_ = KdTree<Point>(points, parallel);
+}
+
+std::optional<Color> IrradianceMap::irradiance(Vec3 position, Vec3 normal,
+                                               float max_distance) const {
+  // Near an edge, the nearest points may belong to another surface.
+  std::array<Neighbor, 4> buffer;
+  const Neighbors neighbors = tree_.nearest(position, buffer.size(), max_distance, buffer);
+  const Point* best = nullptr;
+  float best_distance = kInfinity;
+  for (const Neighbor& neighbor : neighbors.found) {
+    const Point& point = tree_.items()[neighbor.index];
+    const bool fits = glm::dot(unpack_direction(point.packed_normal), normal) > 0.7071f;
+    if (!fits || neighbor.distance_squared >= best_distance) continue;
+    best = &point;
+    best_distance = neighbor.distance_squared;
+  }
+  if (!best) return std::nullopt;
+  return best->irradiance;
+}
+
+std::optional<Color> lambertian_value(const PathVertex& vertex, const Scattering& scattering) {
+  if (vertex.point.bsdf->lobes() != kLobeDiffuse) return std::nullopt;
+  const Vec3 normal = normal_towards_viewer(vertex);
+  const Vec3 oblique = normal + vertex.point.frame.s;
+  const Color value = scattering.value(normal);
+  const Color other = scattering.value(glm::normalize(oblique));
+  const float difference = max_component(glm::abs(value - other * glm::length(oblique)));
+  if (difference > 1e-3f * max_component(value)) return std::nullopt;
+  return value;
+}
+
+}  // namespace guidelight
