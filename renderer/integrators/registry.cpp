@@ -2,6 +2,7 @@
 #include "renderer/integrators/bidirectional/bidirectional.h"
 #include "renderer/integrators/integrator.h"
 #include "renderer/integrators/path_tracer.h"
+#include "renderer/integrators/progressive_photons/progressive_photons.h"
 
 namespace guidelight {
 
@@ -9,6 +10,7 @@ const std::vector<IntegratorInfo>& integrators() {
   static const std::vector<IntegratorInfo> list = [] {
     std::vector<IntegratorInfo> all = {path_tracer_info()};
     for (IntegratorInfo& info : bidirectional_infos()) all.push_back(std::move(info));
+    for (IntegratorInfo& info : progressive_photon_infos()) all.push_back(std::move(info));
     return all;
   }();
   return list;
