@@ -45,6 +45,25 @@ void Film::add_sample(int x, int y, const FilmSample& sample) {
   const double y_weighted = weight * luminance(beauty);
   pixel.luminance_squared += sqr(y_weighted);
   if (has_splats()) statistics_[i].sample_sum += static_cast<float>(y_weighted);
+  if (has_density_estimates()) density_.add_bias(i, weight * sample.bias);
+}
+
+void Film::prepare_density_estimates(int per_pixel) {
+  if (has_density_estimates() && density_.per_pixel() != per_pixel) {
+    throw Error("the film has {} density estimates per pixel, not {}: go on with the same settings",
+                density_.per_pixel(), per_pixel);
+  }
+  if (!has_density_estimates()) density_ = DensityEstimates(width_, height_, per_pixel);
+}
+
+std::span<DensityEstimate> Film::density_estimates(int x, int y) {
+  if (!has_density_estimates()) return {};
+  return density_.at(index(x, y));
+}
+
+std::span<const DensityEstimate> Film::density_estimates(int x, int y) const {
+  if (!has_density_estimates()) return {};
+  return density_.at(index(x, y));
 }
 
 void Film::prepare_splats() {
@@ -152,7 +171,7 @@ void Film::visit_splats(Visit&& visit, size_t i, Films&... film) {
 namespace {
 
 // Numbers of the state, as the functions above list them.
-constexpr size_t kFilmState = 3;
+constexpr size_t kFilmState = 5;
 constexpr size_t kPixelState = 23;
 constexpr size_t kSplatState = 14;  // of each pixel of a film with splats
 
@@ -165,6 +184,10 @@ void Film::merge(const Film& other) {
   }
   const auto add = [](auto& sum, const auto& more) { sum += more; };
   for (size_t i = 0; i < pixels_.size(); ++i) visit_pixel(add, pixels_[i], other.pixels_[i]);
+  if (other.has_density_estimates()) {
+    prepare_density_estimates(other.density_.per_pixel());
+    density_.merge(other.density_);
+  }
   if (!other.has_splats()) return;
   prepare_splats();
   for (size_t i = 0; i < pixels_.size(); ++i) visit_splats(add, i, *this, other);
@@ -178,26 +201,35 @@ void Film::clear() { *this = Film(width_, height_, filter_.settings()); }
 
 std::vector<double> Film::state() const {
   std::vector<double> result;
-  result.reserve(kFilmState + kPixelState * pixels_.size() + kSplatState * splats_.size());
+  result.reserve(kFilmState + kPixelState * pixels_.size() + kSplatState * splats_.size() +
+                 density_.state_size());
   const auto store = [&](auto value) { result.push_back(static_cast<double>(value)); };
+  store(has_splats());
+  store(density_.per_pixel());
   store(splat_count_);
   store(finished_passes_);
   store(rejected_splats_);
   for (const Pixel& pixel : pixels_) visit_pixel(store, pixel);
   for (size_t i = 0; i < splats_.size(); ++i) visit_splats(store, i, *this);
+  DensityEstimates::visit_state(store, density_);
   return result;
 }
 
 void Film::restore(std::span<const double> state) {
-  const size_t without_splats = kFilmState + kPixelState * pixels_.size();
-  const bool splats = state.size() == without_splats + kSplatState * pixels_.size();
-  if (!splats && state.size() != without_splats) {
+  clear();
+  const bool splats = !state.empty() && state[0] > 0;
+  const double per_pixel = state.size() > 1 ? state[1] : 0.0;
+  if (splats) prepare_splats();
+  if (per_pixel >= 1 &&
+      per_pixel * static_cast<double>(pixels_.size()) <= static_cast<double>(state.size())) {
+    prepare_density_estimates(static_cast<int>(per_pixel));
+  }
+  if (state.size() != kFilmState + kPixelState * pixels_.size() + kSplatState * splats_.size() +
+                          density_.state_size()) {
     throw Error("the saved film does not have {}x{} pixels: resume at the size it was saved at",
                 width_, height_);
   }
-  clear();
-  if (splats) prepare_splats();
-  const double* next = state.data();
+  const double* next = &state[2];
   const auto load = [&](auto& value) {
     value = static_cast<std::remove_reference_t<decltype(value)>>(*next++);
   };
@@ -206,6 +238,7 @@ void Film::restore(std::span<const double> state) {
   load(rejected_splats_);
   for (Pixel& pixel : pixels_) visit_pixel(load, pixel);
   for (size_t i = 0; i < splats_.size(); ++i) visit_splats(load, i, *this);
+  DensityEstimates::visit_state(load, density_);
   finished_splat_count_ = splat_count_;
 }
 
@@ -287,6 +320,23 @@ void Film::develop_rows(Layer layer, int y0, int y1, Image& out) const {
   for (size_t i = static_cast<size_t>(y0) * width_; i < end; ++i) {
     develop_pixel(layer, i, &out.data()[i * out.channels()]);
   }
+  if (layer == Layer::Variance) add_squared_bias(y0, y1, out);
+}
+
+void Film::add_squared_bias(int y0, int y1, Image& variance) const {
+  if (!has_density_estimates()) return;
+  const std::vector<float> squared_bias = density_.squared_bias(y0, y1);
+  float* first = &variance.data()[static_cast<size_t>(y0) * width_];
+  for (size_t i = 0; i < squared_bias.size(); ++i) first[i] += squared_bias[i];
+}
+
+Color Film::develop_pixel(Layer layer, int x, int y) const {
+  Color color(0.0f);
+  develop_pixel(layer, index(x, y), &color[0]);
+  if (layer == Layer::Variance && has_density_estimates()) {
+    color[0] += density_.squared_bias(y, y + 1)[x];
+  }
+  return color;
 }
 
 uint64_t Film::total_samples() const {
@@ -313,11 +363,13 @@ double Film::estimated_relative_error() const {
   }
   if (covered == 0 || picture_mean <= 0) return 0;
   picture_mean /= static_cast<double>(covered);
+  std::vector<float> squared_bias(pixels_.size());
+  if (has_density_estimates()) squared_bias = density_.squared_bias(0, height_);
   double sum = 0;
   for (size_t i = 0; i < pixels_.size(); ++i) {
     const Estimates pixel = estimates(i);
-    if (pixel.count > 1)
-      sum += std::sqrt(pixel.variance) / std::max(pixel.mean, 0.01 * picture_mean);
+    const double error = std::sqrt(pixel.variance + squared_bias[i]);
+    if (pixel.count > 1) sum += error / std::max(pixel.mean, 0.01 * picture_mean);
   }
   return sum / static_cast<double>(covered);
 }

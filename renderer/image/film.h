@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "renderer/image/density_estimate.h"
 #include "renderer/image/filter.h"
 #include "renderer/image/image.h"
 #include "renderer/image/layer.h"
@@ -24,6 +25,9 @@ struct FilmSample {
   Color albedo{0.0f};
   Vec3 normal{0.0f};
   float depth = kInfinity;  // infinity: nothing was hit
+  /// Luminance by which direct + indirect is expected to be wrong, of a density estimate; counts in
+  /// a film with density estimates.
+  float bias = 0;
   float filter_weight = 1;
 };
 
@@ -63,6 +67,15 @@ class Film {
   /// pass that is given up leaves the right picture. Thread safe.
   void add_splat_count(uint64_t light_paths);
 
+  /// Gives every pixel `per_pixel` density estimates, for methods whose next pass depends on what
+  /// they have found so far: the film keeps the statistics, so that they are saved, resumed and
+  /// merged with the picture. Does nothing to a film that has them; throws Error if it has another
+  /// number of them. To be called by one thread.
+  void prepare_density_estimates(int per_pixel);
+  /// Those of a pixel; empty without.
+  std::span<DensityEstimate> density_estimates(int x, int y);
+  std::span<const DensityEstimate> density_estimates(int x, int y) const;
+
   /// Ends a pass: only whole passes count for the variance of a film with splats. Nothing to do for
   /// a film without.
   void finish_pass();
@@ -75,6 +88,8 @@ class Film {
   Image develop(Layer layer) const;
   /// Rows [y0,y1) only, into an image of the film's size and the layer's channels.
   void develop_rows(Layer layer, int y0, int y1, Image& out) const;
+  /// A layer at one pixel; of layers with one channel the first counts.
+  Color develop_pixel(Layer layer, int x, int y) const;
 
   /// Everything the film has summed, for checkpoints; a film of the same size takes it back.
   /// restore() throws Error if the length does not fit.
@@ -84,7 +99,7 @@ class Film {
   uint64_t total_samples() const;
   uint64_t rejected() const;
   /// Mean over the picture of each pixel's standard error over its mean (luminance): how noisy it
-  /// is.
+  /// is. Of density estimates, the bias is part of the error.
   double estimated_relative_error() const;
 
  private:
@@ -129,6 +144,7 @@ class Film {
 
   size_t index(int x, int y) const { return static_cast<size_t>(y) * width_ + x; }
   bool has_splats() const { return !splats_.empty(); }
+  bool has_density_estimates() const { return density_.per_pixel() > 0; }
   double splat_scale(uint64_t light_paths) const;
   Estimates estimates(size_t i) const;
   // Call visit(a.x, b.x, …) for every number x of the state: what is saved and merged.
@@ -139,6 +155,7 @@ class Film {
   template <typename Visit, typename... Films>
   static void visit_splats(Visit&& visit, size_t i, Films&... film);
   void develop_pixel(Layer layer, size_t i, float* out) const;
+  void add_squared_bias(int y0, int y1, Image& variance) const;
 
   int width_;
   int height_;
@@ -146,9 +163,10 @@ class Film {
   std::vector<Pixel> pixels_;
   std::vector<Radiance> splats_;            // per pixel, or empty
   std::vector<PassStatistics> statistics_;  // as many as splats
-  uint64_t splat_count_ = 0;                // light paths
-  uint64_t finished_splat_count_ = 0;       // of finished passes
-  uint64_t finished_passes_ = 0;            // of a film with splats
+  DensityEstimates density_;
+  uint64_t splat_count_ = 0;           // light paths
+  uint64_t finished_splat_count_ = 0;  // of finished passes
+  uint64_t finished_passes_ = 0;       // of a film with splats
   uint64_t rejected_splats_ = 0;
 };
 

@@ -16,7 +16,7 @@ enum class Layer {
   Normal,  // world space, -1..1, of the first hit
   Depth,   // distance from the camera along the ray [scene units], mean over samples that hit
   SampleCount,
-  Variance,  // of the pixel mean, luminance of beauty
+  Variance,  // of the pixel mean, luminance of beauty; of density estimates with the squared bias
 };
 inline constexpr int kLayerCount = 11;
 inline constexpr std::array<Layer, kLayerCount> kAllLayers = {

@@ -18,13 +18,19 @@ struct PixelRegion {
   int y0 = 0;
   int x1 = 0;
   int y1 = 0;
+  bool operator==(const PixelRegion&) const = default;
 };
+
+class PixelHistory;
 
 /// What a pass needs besides the scene.
 struct PassContext {
   uint64_t seed = 0;
   Parallel* parallel = nullptr;       // runs the loops, and says when to stop
   std::optional<PixelRegion> region;  // only these pixels are rendered
+  /// Progressive photon mapping writes the history of the pixels that somebody looks at; may be
+  /// null.
+  PixelHistory* history = nullptr;
 };
 
 /// An algorithm that renders a scene progressively. It is constructed from a scene and its own

@@ -3,6 +3,7 @@
 #include "renderer/integrators/integrator.h"
 #include "renderer/integrators/path_tracer.h"
 #include "renderer/integrators/photon_mapping/photon_mapping.h"
+#include "renderer/integrators/progressive_photons/progressive_photons.h"
 
 namespace guidelight {
 
@@ -11,6 +12,7 @@ const std::vector<IntegratorInfo>& integrators() {
     std::vector<IntegratorInfo> all = {path_tracer_info()};
     for (IntegratorInfo& info : bidirectional_infos()) all.push_back(std::move(info));
     all.push_back(photon_mapping_info());
+    for (IntegratorInfo& info : progressive_photon_infos()) all.push_back(std::move(info));
     return all;
   }();
   return list;

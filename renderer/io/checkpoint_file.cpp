@@ -12,7 +12,7 @@ namespace guidelight {
 
 namespace {
 
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 constexpr int kLargestSide = 65536;
 
 nlohmann::json filter_json(const FilterSettings& f) {

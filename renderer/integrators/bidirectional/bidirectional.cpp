@@ -15,9 +15,8 @@ class Bidirectional : public Integrator {
  public:
   Bidirectional(std::shared_ptr<const Scene> scene, const BidirectionalSettings& settings)
       : scene_(std::move(scene)), settings_(settings) {
-    const float radius = settings.radius_from == 0 ? settings.scene_radius : settings.pixel_radius;
     const bool only_merges = settings.merges() && !settings.connections && !settings.next_event;
-    if (only_merges && radius == 0) {
+    if (only_merges && settings.radius_is_zero()) {
       throw Error("a merging radius of 0 finds no photons: give a larger one");
     }
   }

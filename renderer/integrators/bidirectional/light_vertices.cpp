@@ -5,9 +5,7 @@
 namespace guidelight {
 
 StoredVertex::StoredVertex(const PathVertex& vertex)
-    : hit_(vertex.hit),
-      position_(vertex.point.position),
-      wo_(vertex.wo),
+    : point_{vertex.hit, vertex.point.position, vertex.wo},
       throughput_(vertex.throughput),
       partials_(vertex.partials),
       length_(static_cast<int16_t>(vertex.length)),
@@ -15,10 +13,9 @@ StoredVertex::StoredVertex(const PathVertex& vertex)
       medium_(vertex.medium) {}
 
 PathVertex StoredVertex::restore(const Scene& scene) const {
-  const Ray arriving{position_ + hit_.t * wo_, -wo_, kInfinity};
-  PathVertex vertex{.point = scene.surface_point(arriving, hit_),
-                    .hit = hit_,
-                    .wo = wo_,
+  PathVertex vertex{.point = point_.restore(scene),
+                    .hit = point_.hit,
+                    .wo = point_.wo,
                     .throughput = throughput_,
                     .partials = partials_,
                     .merging_before_last = 0,

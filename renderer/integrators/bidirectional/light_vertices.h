@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "renderer/transport/path_vertex.h"
+#include "renderer/transport/stored_point.h"
 
 namespace guidelight {
 
@@ -36,9 +37,7 @@ class StoredVertex {
   PathVertex restore(const Scene& scene) const;
 
  private:
-  Hit hit_;
-  Vec3 position_;
-  Vec3 wo_;
+  StoredPoint point_;
   Color throughput_;
   MisPartials partials_;
   int16_t length_;

@@ -4,6 +4,7 @@
 
 #include "renderer/image/film.h"
 #include "renderer/integrators/bidirectional/settings.h"
+#include "renderer/integrators/search_radius.h"
 #include "renderer/transport/mis.h"
 
 namespace guidelight {
@@ -16,31 +17,21 @@ class MergingRadius {
  public:
   MergingRadius(const Scene& scene, const BidirectionalSettings& settings, uint32_t pass,
                 size_t light_paths)
-      : light_paths_(settings.merges() ? static_cast<float>(light_paths) : 0.0f) {
-    // Knaus and Zwicker 2011, (15), for any α.
-    const float shrink = std::pow(static_cast<float>(pass) + 1, 0.5f * (settings.alpha - 1));
-    const Camera& camera = scene.camera();
-    if (settings.radius_from == 0) {
-      constant_ = shrink * 0.01f * settings.scene_radius * scene.bounds().radius();
-    } else {
-      const float pixel = shrink * settings.pixel_radius * camera.pixel_size_at_unit_distance();
-      const bool is_parallel = camera.description().model == CameraModel::Orthographic;
-      (is_parallel ? constant_ : per_distance_) = pixel;
-    }
-    typical_ = at(glm::distance(scene.bounds().center(), camera.position()));
-  }
+      : initial_(scene, settings),
+        light_paths_(settings.merges() ? static_cast<float>(light_paths) : 0.0f),
+        // Knaus and Zwicker 2011, (15), for any α.
+        shrink_(std::pow(static_cast<float>(pass) + 1, 0.5f * (settings.alpha - 1))) {}
 
   /// `distance`: length of the camera path up to its first vertex that is not specular.
-  float at(float distance) const { return constant_ + per_distance_ * distance; }
+  float at(float distance) const { return shrink_ * initial_.at(distance); }
   /// Light paths merged with × merging area.
   float eta(float radius) const { return light_paths_ * kPi * sqr(radius); }
-  float typical() const { return typical_; }
+  float typical() const { return shrink_ * initial_.typical(); }
 
  private:
+  SearchRadius initial_;
   float light_paths_;
-  float constant_ = 0;
-  float per_distance_ = 0;
-  float typical_;
+  float shrink_;
 };
 
 /// What the stages of one pass share.

@@ -64,15 +64,7 @@ std::vector<Parameter> BidirectionalSettings::parameters() {
        "Vertices per camera vertex, when they are chosen at random.", "", &random_vertices, 1, 64});
   add(is_vcm, {"merging", "Merge vertices", "Merge camera vertices with photons.", "", &merging});
   const bool can_merge = kind >= BidirectionalKind::ProbabilisticPpm;
-  add(can_merge, {"radius_from", "Radius from",
-                  "What the initial merging radius is measured in: the scene's size or the pixel's "
-                  "footprint where the camera path first meets a surface that is not specular.",
-                  "", Parameter::Choice{&radius_from, {"scene", "pixel"}}});
-  add(can_merge, {"scene_radius", "Radius", "Initial merging radius, if it is from the scene.",
-                  "% of scene radius", &scene_radius, 0, 100, true});
-  add(can_merge,
-      {"pixel_radius", "Radius in pixels", "Initial merging radius, if it is from the pixel.",
-       "pixels", &pixel_radius, 0, 1000, true});
+  for (const Parameter& parameter : radius_parameters()) add(can_merge, parameter);
   add(can_merge, {"alpha", "Radius reduction",
                   "The radius of pass i is r*i^((alpha-1)/2); 1 keeps it.", "", &alpha, 0.01, 1});
   add(is_vcm,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/integrators/integrator.h"
+#include "renderer/integrators/search_radius.h"
 #include "renderer/transport/mis.h"
 
 namespace guidelight {
@@ -9,7 +10,7 @@ namespace guidelight {
 enum class BidirectionalKind { LightTracing, Bdpt, ProbabilisticPpm, Bpm, Vcm };
 
 /// Settings of all integrators of the bidirectional kernel; each shows those that concern it.
-struct BidirectionalSettings : IntegratorSettings {
+struct BidirectionalSettings : IntegratorSettings, RadiusSettings {
   explicit BidirectionalSettings(BidirectionalKind which);
 
   BidirectionalKind kind;
@@ -21,12 +22,9 @@ struct BidirectionalSettings : IntegratorSettings {
   bool light_tracing = true;
   bool connections = true;
   bool merging = true;
-  int connect_to = 0;         // 0: the pixel's own light path, 1: random vertices of all
-  int random_vertices = 4;    // per camera vertex
-  int radius_from = 0;        // 0: the scene's size, 1: the pixel's footprint
-  float scene_radius = 0.3f;  // initial merging radius [% of the scene's bounding sphere's]
-  float pixel_radius = 2;     // initial merging radius [pixels]
-  float alpha = 0.75f;        // radius of pass i is r·i^((α-1)/2)
+  int connect_to = 0;       // 0: the pixel's own light path, 1: random vertices of all
+  int random_vertices = 4;  // per camera vertex
+  float alpha = 0.75f;      // radius of pass i is r·i^((α-1)/2)
   bool merge_direct = false;
   bool lean = false;
 

@@ -1,0 +1,31 @@
+#include "renderer/integrators/search_radius.h"
+
+namespace guidelight {
+
+std::vector<Parameter> RadiusSettings::radius_parameters() {
+  return {
+      {"radius_from", "Radius from",
+       "What the initial radius is measured in: the scene's size or the pixel's footprint where "
+       "the "
+       "camera path first meets a surface that is not specular.",
+       "", Parameter::Choice{&radius_from, {"scene", "pixel"}}},
+      {"scene_radius", "Radius", "Initial radius, if it is from the scene.", "% of scene radius",
+       &scene_radius, 0, 100, true},
+      {"pixel_radius", "Radius in pixels", "Initial radius, if it is from the pixel.", "pixels",
+       &pixel_radius, 0, 1000, true},
+  };
+}
+
+SearchRadius::SearchRadius(const Scene& scene, const RadiusSettings& settings) {
+  const Camera& camera = scene.camera();
+  if (settings.radius_from == 0) {
+    constant_ = 0.01f * settings.scene_radius * scene.bounds().radius();
+  } else {
+    const float pixel = settings.pixel_radius * camera.pixel_size_at_unit_distance();
+    const bool is_parallel = camera.description().model == CameraModel::Orthographic;
+    (is_parallel ? constant_ : per_distance_) = pixel;
+  }
+  typical_ = at(glm::distance(scene.bounds().center(), camera.position()));
+}
+
+}  // namespace guidelight

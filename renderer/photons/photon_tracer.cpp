@@ -1,0 +1,73 @@
+#include "renderer/photons/photon_tracer.h"
+
+namespace guidelight {
+
+namespace {
+
+/// Light paths draw other random numbers than the camera path of the same number.
+constexpr uint64_t kPhotonStream = 0x70686f746f6eull;
+
+/// Paths that are traced together: enough for full packets, few enough to stop soon.
+constexpr size_t kBatch = 512;
+
+/// RandomWalk's visitor.
+struct PhotonCollector {
+  std::vector<Photon>& photons;
+  int max_length;
+
+  void escaped(uint32_t, Subpath&) {}
+  bool visit(uint32_t, Subpath&, const PathVertex& vertex, const Scattering& scattering) {
+    if (scattering.is_connectible()) {
+      photons.push_back(make_photon(vertex.point.position, vertex.wo, vertex.throughput,
+                                    vertex.length, vertex.is_caustic()));
+    }
+    return vertex.length < max_length;
+  }
+  void end_segment() {}
+};
+
+/// Traces paths [first, last).
+void trace_batch(const Scene& scene, const LightPathRange& range, size_t first, size_t last,
+                 std::vector<Photon>& photons) {
+  const MisWeights weights{TechniqueCounts{}};  // the photons are not weighted
+  std::vector<EmissionSample> emissions(last - first);
+  std::vector<Subpath> paths;
+  paths.reserve(last - first);
+  for (size_t i = first; i < last; ++i) {
+    const Rng rng(range.seed ^ kPhotonStream, range.pass, i);
+    const auto path = start_light_path(scene, rng, 1.0f, emissions[i - first]);
+    if (path) paths.push_back(*path);
+  }
+  photons.clear();
+  PhotonCollector collector{photons, range.max_length};
+  RandomWalk(scene, TransportMode::Importance, weights).run(paths, collector);
+}
+
+}  // namespace
+
+const std::vector<Photon>& PhotonTracer::trace(const Scene& scene, const LightPathRange& paths,
+                                               Parallel& parallel) {
+  const bool is_dark = scene.lights().empty() || paths.max_length < 1;
+  const size_t count = is_dark ? 0 : (paths.count + kBatch - 1) / kBatch;
+  batches_.resize(count);
+  parallel.for_each(count, [&](size_t batch) {
+    const size_t first = batch * kBatch;
+    trace_batch(scene, paths, first, std::min(first + kBatch, paths.count), batches_[batch]);
+  });
+
+  std::vector<size_t> begin(count + 1);
+  for (size_t i = 0; i < count; ++i) begin[i + 1] = begin[i] + batches_[i].size();
+  photons_.resize(begin[count]);
+  parallel.for_each(count, [&](size_t batch) {
+    std::copy(batches_[batch].begin(), batches_[batch].end(), photons_.begin() + begin[batch]);
+  });
+  return photons_;
+}
+
+size_t PhotonTracer::bytes() const {
+  size_t sum = photons_.capacity() * sizeof(Photon);
+  for (const auto& batch : batches_) sum += batch.capacity() * sizeof(Photon);
+  return sum;
+}
+
+}  // namespace guidelight
