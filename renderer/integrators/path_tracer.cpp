@@ -53,12 +53,6 @@ float power_heuristic(float pdf, float other) {
   return 1 / (1 + ratio * ratio);
 }
 
-/// The medium on the side of the surface that `direction` points to.
-const Medium* medium_beyond(const SurfacePoint& point, Vec3 direction, const Medium* current) {
-  if (!point.is_medium_boundary) return current;
-  return glm::dot(point.geometric_normal, direction) < 0 ? point.interior : point.exterior;
-}
-
 /// All paths of one tile, advanced together segment by segment so that their rays are traced in
 /// batches.
 class TilePaths {
@@ -248,7 +242,7 @@ class PathTracer : public Integrator {
   PathTracerSettings settings_;
 };
 
-std::unique_ptr<IntegratorSettings> make_settings(const RenderHints& hints) {
+std::unique_ptr<IntegratorSettings> path_tracer_settings(const RenderHints& hints) {
   auto settings = std::make_unique<PathTracerSettings>();
   settings->max_depth = hints.max_depth.value_or(settings->max_depth);
   settings->russian_roulette_depth =
@@ -256,8 +250,8 @@ std::unique_ptr<IntegratorSettings> make_settings(const RenderHints& hints) {
   return settings;
 }
 
-std::unique_ptr<Integrator> create(std::shared_ptr<const Scene> scene,
-                                   const IntegratorSettings& settings) {
+std::unique_ptr<Integrator> create_path_tracer(std::shared_ptr<const Scene> scene,
+                                               const IntegratorSettings& settings) {
   return std::make_unique<PathTracer>(std::move(scene),
                                       dynamic_cast<const PathTracerSettings&>(settings));
 }
@@ -268,7 +262,7 @@ IntegratorInfo path_tracer_info() {
   return {"path", "Path tracer",
           "Unbiased reference: good at open scenes, large lights and glossy surfaces; poor at "
           "caustics and light through small openings.",
-          make_settings, create};
+          path_tracer_settings, create_path_tracer};
 }
 
 }  // namespace guidelight

@@ -61,4 +61,11 @@ struct SurfacePoint {
   }
 };
 
+/// The medium on the side of the surface that `direction` points to; `current` is the one before.
+inline const Medium* medium_beyond(const SurfacePoint& point, Vec3 direction,
+                                   const Medium* current) {
+  if (!point.is_medium_boundary) return current;
+  return glm::dot(point.geometric_normal, direction) < 0 ? point.interior : point.exterior;
+}
+
 }  // namespace guidelight

@@ -29,13 +29,6 @@ struct PathVertex {
   bool is_connectible() const { return point.bsdf->lobes() & kLobeSmooth; }
 };
 
-/// The medium on the side of the surface that `direction` points to; `current` is the one before.
-inline const Medium* medium_beyond(const SurfacePoint& point, Vec3 direction,
-                                   const Medium* current) {
-  if (!point.is_medium_boundary) return current;
-  return glm::dot(point.geometric_normal, direction) < 0 ? point.interior : point.exterior;
-}
-
 /// Transmittance of a straight segment that leaves a vertex.
 inline Color segment_transmittance(const PathVertex& vertex, Vec3 direction, float distance) {
   const Medium* medium = medium_beyond(vertex.point, direction, vertex.medium);

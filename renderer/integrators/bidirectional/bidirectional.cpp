@@ -157,14 +157,14 @@ class Bidirectional : public Integrator {
 };
 
 template <BidirectionalKind kind>
-std::unique_ptr<IntegratorSettings> make_settings(const RenderHints& hints) {
+std::unique_ptr<IntegratorSettings> bidirectional_settings(const RenderHints& hints) {
   auto settings = std::make_unique<BidirectionalSettings>(kind);
   settings->max_length = hints.max_depth.value_or(settings->max_length);
   return settings;
 }
 
-std::unique_ptr<Integrator> create(std::shared_ptr<const Scene> scene,
-                                   const IntegratorSettings& settings) {
+std::unique_ptr<Integrator> create_bidirectional(std::shared_ptr<const Scene> scene,
+                                                 const IntegratorSettings& settings) {
   return std::make_unique<Bidirectional>(std::move(scene),
                                          dynamic_cast<const BidirectionalSettings&>(settings));
 }
@@ -177,21 +177,21 @@ std::vector<IntegratorInfo> bidirectional_infos() {
   list.push_back({"light", "Light tracing",
                   "Paths from the lights alone: good at caustics on surfaces that the camera sees "
                   "directly; mirrors and glass stay black.",
-                  make_settings<LightTracing>, create});
+                  bidirectional_settings<LightTracing>, create_bidirectional});
   list.push_back({"bdpt", "Bidirectional path tracing",
                   "Camera and light paths connected: good at indirect light and directly visible "
                   "caustics; poor at caustics seen in mirrors or through glass.",
-                  make_settings<Bdpt>, create});
+                  bidirectional_settings<Bdpt>, create_bidirectional});
   list.push_back({"pppm", "Probabilistic PPM",
                   "Photons merged where the camera first sees a surface that is not specular, with "
                   "a radius that shrinks by pass.",
-                  make_settings<ProbabilisticPpm>, create});
+                  bidirectional_settings<ProbabilisticPpm>, create_bidirectional});
   list.push_back({"bpm", "Bidirectional photon mapping, fixed radius",
                   "Photons merged at every camera vertex, weighted against each other.",
-                  make_settings<Bpm>, create});
+                  bidirectional_settings<Bpm>, create_bidirectional});
   list.push_back({"vcm", "Vertex connection and merging",
                   "Bidirectional path tracing and photon mapping combined: the most robust choice.",
-                  make_settings<Vcm>, create});
+                  bidirectional_settings<Vcm>, create_bidirectional});
   return list;
 }
 

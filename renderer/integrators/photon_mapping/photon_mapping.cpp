@@ -62,14 +62,14 @@ class PhotonMapping : public Integrator {
   PhotonMappingSettings settings_;
 };
 
-std::unique_ptr<IntegratorSettings> make_settings(const RenderHints& hints) {
+std::unique_ptr<IntegratorSettings> photon_mapping_settings(const RenderHints& hints) {
   auto settings = std::make_unique<PhotonMappingSettings>();
   settings->max_length = hints.max_depth.value_or(settings->max_length);
   return settings;
 }
 
-std::unique_ptr<Integrator> create(std::shared_ptr<const Scene> scene,
-                                   const IntegratorSettings& settings) {
+std::unique_ptr<Integrator> create_photon_mapping(std::shared_ptr<const Scene> scene,
+                                                  const IntegratorSettings& settings) {
   return std::make_unique<PhotonMapping>(std::move(scene),
                                          dynamic_cast<const PhotonMappingSettings&>(settings));
 }
@@ -80,7 +80,7 @@ IntegratorInfo photon_mapping_info() {
   return {"photon_map", "Photon mapping",
           "Two passes with final gather: smooth diffuse light and caustics early, blurred by a "
           "radius that more passes do not shrink.",
-          make_settings, create};
+          photon_mapping_settings, create_photon_mapping};
 }
 
 }  // namespace guidelight

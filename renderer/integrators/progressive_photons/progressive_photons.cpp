@@ -183,14 +183,14 @@ class ProgressivePhotons : public Integrator {
 };
 
 template <ProgressivePhotonKind kind>
-std::unique_ptr<IntegratorSettings> make_settings(const RenderHints& hints) {
+std::unique_ptr<IntegratorSettings> progressive_settings(const RenderHints& hints) {
   auto settings = std::make_unique<ProgressivePhotonSettings>(kind);
   settings->max_length = hints.max_depth.value_or(settings->max_length);
   return settings;
 }
 
-std::unique_ptr<Integrator> create(std::shared_ptr<const Scene> scene,
-                                   const IntegratorSettings& settings) {
+std::unique_ptr<Integrator> create_progressive(std::shared_ptr<const Scene> scene,
+                                               const IntegratorSettings& settings) {
   return std::make_unique<ProgressivePhotons>(
       std::move(scene), dynamic_cast<const ProgressivePhotonSettings&>(settings));
 }
@@ -204,11 +204,11 @@ std::vector<IntegratorInfo> progressive_photon_infos() {
       {"ppm", "Progressive photon mapping",
        "Photons measured at fixed points with shrinking radii: good at light through "
        "glass seen in mirrors; depth of field and edges stay as the first pass saw them.",
-       make_settings<Ppm>, create});
+       progressive_settings<Ppm>, create_progressive});
   list.push_back({"sppm", "Stochastic progressive photon mapping",
                   "The same with new points in every pass: good at caustics seen in mirrors or "
                   "through glass, with depth of field and fine edges.",
-                  make_settings<Sppm>, create});
+                  progressive_settings<Sppm>, create_progressive});
   return list;
 }
 
