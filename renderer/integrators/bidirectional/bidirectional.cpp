@@ -24,10 +24,8 @@ class Bidirectional : public Integrator {
   void render_pass(uint32_t pass, Film& film, const PassContext& context) override {
     const size_t pixels = static_cast<size_t>(film.width()) * film.height();
     if (settings_.light_tracing) film.prepare_splats();
-    if (settings_.connects_to_random_vertices() && vertices_per_light_path_ == 0) {
-      count_light_vertices(context);
-    }
-    const PassSetup setup(*scene_, settings_, pass, context.seed, pixels, vertices_per_light_path_);
+    if (!statistics_) statistics_ = examine_light_paths(context);
+    const PassSetup setup(*scene_, settings_, pass, context.seed, pixels, *statistics_);
     if (settings_.merges() && settings_.lean) {
       render_lean(setup, film, context);
     } else if (settings_.merges() || settings_.connects_to_random_vertices()) {
@@ -38,15 +36,16 @@ class Bidirectional : public Integrator {
   }
 
  private:
-  /// The balance heuristic must not know the light paths it weighs, or it would not be one for
-  /// each; so how many vertices there are to choose from is found by paths of its own.
-  void count_light_vertices(const PassContext& context) {
+  /// Traces some light paths of its own where their statistics matter.
+  LightPathStatistics examine_light_paths(const PassContext& context) {
+    if (!settings_.connects_to_random_vertices() && !settings_.merges_nearest()) return {};
     constexpr size_t kPaths = 4096;
     const PassSetup setup(*scene_, settings_, 0, ~context.seed, kPaths);
     LightStage light(setup);
     light.trace(0, kPaths, nullptr);
-    const size_t vertices = std::max<size_t>(light.vertices().vertices.size(), 1);
-    vertices_per_light_path_ = static_cast<float>(vertices) / kPaths;
+    const size_t vertices =
+        settings_.merges_nearest() ? light.photons().size() : light.vertices().vertices.size();
+    return {static_cast<float>(std::max<size_t>(vertices, 1)) / kPaths};
   }
 
   /// Each tile traces its light paths and then its camera paths. Photons, if wanted, are only
@@ -74,12 +73,12 @@ class Bidirectional : public Integrator {
     const size_t tiles = tile_count(film, context);
     if (grid_of_pass_ != setup.pass) {
       trace_photons_before(setup, film, context);
-      build_grid(setup, context);
+      build_map(setup, context);
     }
     grid_of_pass_.reset();
     tile_photons_.resize(tiles);
     render_tile_by_tile(setup, film, context, &grid_);
-    build_grid(setup, context);
+    build_map(setup, context);
     grid_of_pass_ = setup.pass + 1;
   }
 
@@ -111,12 +110,14 @@ class Bidirectional : public Integrator {
   /// All light paths first, then all camera paths.
   void render_in_two_stages(const PassSetup& setup, Film& film, const PassContext& context) {
     trace_light_paths(setup, film, context, &film);
-    if (settings_.merges()) build_grid(setup, context);
+    if (settings_.merges()) build_map(setup, context);
     const VertexCache cache(tile_vertices_);
     ObjectPool<LightVertices> vertices([] { return std::make_unique<LightVertices>(); });
     ObjectPool<CameraStage> stages([&] { return std::make_unique<CameraStage>(setup); });
     for_each_tile(film, context, [&](const Tile& tile) {
-      LightSide side{.photons = settings_.merges() ? &grid_ : nullptr};
+      LightSide side{
+          .photons = settings_.merges() && !settings_.merges_nearest() ? &grid_ : nullptr,
+          .nearest = settings_.merges_nearest() ? &tree_ : nullptr};
       const auto render = [&] {
         stages.with([&](CameraStage& stage) { stage.render(tile.pixels, side, film); });
       };
@@ -135,24 +136,27 @@ class Bidirectional : public Integrator {
     });
   }
 
-  void build_grid(const PassSetup& setup, const PassContext& context) {
-    std::vector<Photon> photons;
-    size_t count = 0;
-    for (const auto& batch : tile_photons_) count += batch.size();
-    photons.reserve(count);
+  void build_map(const PassSetup& setup, const PassContext& context) {
+    photons_.clear();
     for (const auto& batch : tile_photons_) {
-      photons.insert(photons.end(), batch.begin(), batch.end());
+      photons_.insert(photons_.end(), batch.begin(), batch.end());
     }
-    grid_ = HashGrid<Photon>(photons, 2 * setup.radius.typical(), *context.parallel);
+    if (settings_.merges_nearest()) {
+      tree_ = KdTree<Photon>(photons_, *context.parallel);
+    } else {
+      grid_ = HashGrid<Photon>(photons_, 2 * setup.radius.typical(), *context.parallel);
+    }
   }
 
   std::shared_ptr<const Scene> scene_;
   BidirectionalSettings settings_;
-  float vertices_per_light_path_ = 0;
+  std::optional<LightPathStatistics> statistics_;
   // By tile, kept from pass to pass for their memory.
   std::vector<std::vector<Photon>> tile_photons_;
   std::vector<StoredVertices> tile_vertices_;
+  std::vector<Photon> photons_;
   HashGrid<Photon> grid_;
+  KdTree<Photon> tree_;
   std::optional<uint32_t> grid_of_pass_;  // lean: the pass that the grid was made for
 };
 
@@ -189,6 +193,10 @@ std::vector<IntegratorInfo> bidirectional_infos() {
   list.push_back({"bpm", "Bidirectional photon mapping, fixed radius",
                   "Photons merged at every camera vertex, weighted against each other.",
                   bidirectional_settings<Bpm>, create_bidirectional});
+  list.push_back({"bdpm", "Bidirectional photon mapping",
+                  "The nearest photons merged at every camera vertex, weighted against each other: "
+                  "smooth indirect light and caustics seen in glossy surfaces.",
+                  bidirectional_settings<Bdpm>, create_bidirectional});
   list.push_back({"vcm", "Vertex connection and merging",
                   "Bidirectional path tracing and photon mapping combined: the most robust choice.",
                   bidirectional_settings<Vcm>, create_bidirectional});

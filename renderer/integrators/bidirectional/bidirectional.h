@@ -6,8 +6,9 @@
 
 namespace guidelight {
 
-/// Light tracing, BDPT, probabilistic PPM (Knaus and Zwicker 2011), BPM and VCM (Georgiev et al.
-/// 2012): one kernel, in which each takes part of the techniques.
+/// Light tracing, BDPT, probabilistic PPM (Knaus and Zwicker 2011), bidirectional photon mapping
+/// with the nearest photons (Vorba 2011) or a fixed radius, and VCM (Georgiev et al. 2012): one
+/// kernel, in which each takes part of the techniques.
 std::vector<IntegratorInfo> bidirectional_infos();
 
 }  // namespace guidelight

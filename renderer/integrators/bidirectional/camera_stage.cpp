@@ -96,7 +96,8 @@ bool CameraStage::visit(uint32_t index, Subpath& path, const PathVertex& vertex,
   }
   if (light_.own) connect_own_path(index, vertex, scattering);
   if (light_.cache) connect_random_vertices(index, path, vertex, scattering);
-  if (light_.photons) merge(state, vertex, scattering);
+  if (light_.photons) merge_within_radius(state, vertex, scattering);
+  if (light_.nearest) merge_nearest(state, vertex, scattering);
   return settings.kind != BidirectionalKind::ProbabilisticPpm;
 }
 
@@ -159,36 +160,53 @@ void CameraStage::connect(uint32_t index, const PathVertex& light, const PathVer
   queue(index, length, connection->shadow_ray, connection->contribution * (weight * scale));
 }
 
-void CameraStage::merge(PathState& state, const PathVertex& vertex,
-                        const Scattering& scattering) const {
+void CameraStage::merge_within_radius(PathState& state, const PathVertex& vertex,
+                                      const Scattering& scattering) const {
   if (!(state.radius > 0)) return;
-  const MisWeights& weights = setup_.weights;
-  const bool is_weighted = setup_.settings.kind != BidirectionalKind::ProbabilisticPpm;
-  const bool skip_caustics = !weights.counts().merge_direct && vertex.length == 1;
-  const Color scale = vertex.throughput / state.eta;  // density estimate: 1/(N_L π r²)
+  const float kernel = kernel_value(Kernel::Constant, 0, sqr(state.radius));
   light_.photons->for_each_within(
-      vertex.point.position, state.radius, [&](const Photon& photon, float) {
-        const int length = photon.length() + vertex.length;
-        const bool is_caustic = photon.caustic() && vertex.is_specular_chain;
-        if (!setup_.is_shown(length) || (skip_caustics && photon.caustic())) return;
-        const Vec3 wi = photon.direction();
-        const Color value = scattering.value(wi);
-        if (is_black(value)) return;
-        float weight = 1;
-        if (is_weighted) {
-          weight = path_weight(weights, vertex,
-                               {.photon = photon.partials,
-                                .photon_length = photon.length(),
-                                .pdf_to_light = scattering.pdf(wi) * vertex.survival,
-                                .pdf_to_camera = scattering.pdf_reverse(wi) * vertex.survival},
-                               state.eta);
-        }
-        // Photons arrive through the true surface: their flux already contains its cosine.
-        const float cosine = std::abs(glm::dot(wi, vertex.point.geometric_normal));
-        const Color contribution = scale * value * photon.power() * (weight / cosine);
-        state.add(length, contribution, is_caustic);
-        state.sample.merging += contribution;
-      });
+      vertex.point.position, state.radius,
+      [&](const Photon& photon, float) { merge(state, vertex, scattering, photon, kernel); });
+}
+
+void CameraStage::merge_nearest(PathState& state, const PathVertex& vertex,
+                                const Scattering& scattering) {
+  neighbors_.resize(setup_.settings.neighbors);
+  const Neighbors nearest =
+      light_.nearest->nearest(vertex.point.position, neighbors_.size(), state.radius, neighbors_);
+  const auto kernel = static_cast<Kernel>(setup_.settings.kernel);
+  for (const Neighbor& neighbor : nearest.found) {
+    const float value = kernel_value(kernel, neighbor.distance_squared, nearest.radius_squared);
+    if (value > 0) {
+      merge(state, vertex, scattering, light_.nearest->items()[neighbor.index], value);
+    }
+  }
+}
+
+void CameraStage::merge(PathState& state, const PathVertex& vertex, const Scattering& scattering,
+                        const Photon& photon, float kernel) const {
+  const MisWeights& weights = setup_.weights;
+  const int length = photon.length() + vertex.length;
+  if (!setup_.is_shown(length)) return;
+  if (photon.caustic() && vertex.length == 1 && !weights.counts().merge_direct) return;
+  const Vec3 wi = photon.direction();
+  const Color value = scattering.value(wi);
+  if (is_black(value)) return;
+  float weight = 1;
+  if (setup_.settings.kind != BidirectionalKind::ProbabilisticPpm) {
+    weight = path_weight(weights, vertex,
+                         {.photon = photon.partials,
+                          .photon_length = photon.length(),
+                          .pdf_to_light = scattering.pdf(wi) * vertex.survival,
+                          .pdf_to_camera = scattering.pdf_reverse(wi) * vertex.survival},
+                         state.eta);
+  }
+  // Photons arrive through the true surface: their flux already contains its cosine.
+  const float cosine = std::abs(glm::dot(wi, vertex.point.geometric_normal));
+  const float scale = weight * kernel / (cosine * static_cast<float>(setup_.light_path_count));
+  const Color contribution = vertex.throughput * value * photon.power() * scale;
+  state.add(length, contribution, photon.caustic() && vertex.is_specular_chain);
+  state.sample.merging += contribution;
 }
 
 void CameraStage::queue(uint32_t index, int length, const Ray& shadow_ray, Color contribution) {

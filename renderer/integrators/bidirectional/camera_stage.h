@@ -8,6 +8,7 @@
 #include "renderer/integrators/bidirectional/pass_setup.h"
 #include "renderer/integrators/tiles.h"
 #include "renderer/photons/hash_grid.h"
+#include "renderer/photons/kd_tree.h"
 #include "renderer/photons/photon.h"
 #include "renderer/transport/path_weights.h"
 
@@ -31,7 +32,8 @@ class VertexCache {
 struct LightSide {
   const LightVertices* own = nullptr;         // the tile's light paths
   const VertexCache* cache = nullptr;         // all vertices
-  const HashGrid<Photon>* photons = nullptr;  // to merge with
+  const HashGrid<Photon>* photons = nullptr;  // to merge with, those within a radius …
+  const KdTree<Photon>* nearest = nullptr;    // … or the nearest
 };
 
 /// Traces the camera paths of a tile and closes them in every way but t = 1.
@@ -79,7 +81,12 @@ class CameraStage {
                                const Scattering& scattering);
   void connect(uint32_t index, const PathVertex& light, const PathVertex& vertex,
                const Scattering& scattering, float scale);
-  void merge(PathState& state, const PathVertex& vertex, const Scattering& scattering) const;
+  void merge_within_radius(PathState& state, const PathVertex& vertex,
+                           const Scattering& scattering) const;
+  void merge_nearest(PathState& state, const PathVertex& vertex, const Scattering& scattering);
+  /// `kernel`: value of the density estimate's kernel, per area.
+  void merge(PathState& state, const PathVertex& vertex, const Scattering& scattering,
+             const Photon& photon, float kernel) const;
   void queue(uint32_t index, int length, const Ray& shadow_ray, Color contribution);
 
   const PassSetup& setup_;
@@ -87,6 +94,7 @@ class CameraStage {
   RandomWalk walk_;
   std::vector<Subpath> paths_;
   std::vector<PathState> states_;
+  std::vector<Neighbor> neighbors_;  // room for a search
   std::vector<PendingLight> pending_;
   std::vector<Ray> shadow_rays_;
   std::vector<uint8_t> blocked_;

@@ -1,13 +1,17 @@
 #pragma once
 
-#include <cmath>
-
 #include "renderer/image/film.h"
 #include "renderer/integrators/bidirectional/settings.h"
 #include "renderer/integrators/search_radius.h"
 #include "renderer/transport/mis.h"
 
 namespace guidelight {
+
+/// About how many vertices of a light path can be connected or merged with. Weights may only depend
+/// on what is known before a pass, so this is not counted in it.
+struct LightPathStatistics {
+  float vertices = 1;
+};
 
 /// The merging radius of one pass. It belongs to a full path: from the scene's size it is the same
 /// for all, from the pixel's footprint it depends on how far light travels from the camera to the
@@ -16,30 +20,31 @@ namespace guidelight {
 class MergingRadius {
  public:
   MergingRadius(const Scene& scene, const BidirectionalSettings& settings, uint32_t pass,
-                size_t light_paths)
-      : initial_(scene, settings),
-        light_paths_(settings.merges() ? static_cast<float>(light_paths) : 0.0f),
-        // Knaus and Zwicker 2011, (15), for any α.
-        shrink_(std::pow(static_cast<float>(pass) + 1, 0.5f * (settings.alpha - 1))) {}
+                size_t light_paths, const LightPathStatistics& statistics);
 
-  /// `distance`: length of the camera path up to its first vertex that is not specular.
+  /// `distance`: length of the camera path up to its first vertex that is not specular. For the k
+  /// nearest photons this is only the longest distance.
   float at(float distance) const { return shrink_ * initial_.at(distance); }
-  /// Light paths merged with × merging area.
-  float eta(float radius) const { return light_paths_ * kPi * sqr(radius); }
+  /// Light paths merged with × merging area, for the weights. For the k nearest photons, whose
+  /// area is not known to other techniques, it is that of photons spread evenly over the scene:
+  /// weights sum to 1 with any value.
+  float eta(float radius) const {
+    return merges_nearest_ ? eta_of_nearest_ : light_paths_ * kPi * sqr(radius);
+  }
   float typical() const { return shrink_ * initial_.typical(); }
 
  private:
   SearchRadius initial_;
   float light_paths_;
   float shrink_;
+  bool merges_nearest_;
+  float eta_of_nearest_ = 0;
 };
 
 /// What the stages of one pass share.
 struct PassSetup {
-  /// `vertices_per_light_path`: about how many of a light path can be connected; matters where
-  /// random ones of all are chosen.
   PassSetup(const Scene& the_scene, const BidirectionalSettings& the_settings, uint32_t the_pass,
-            uint64_t the_seed, size_t pixels, float vertices_per_light_path = 1);
+            uint64_t the_seed, size_t pixels, const LightPathStatistics& statistics = {});
 
   const Scene& scene;
   const BidirectionalSettings& settings;

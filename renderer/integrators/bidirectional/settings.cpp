@@ -17,6 +17,11 @@ BidirectionalSettings::BidirectionalSettings(BidirectionalKind which) : kind(whi
       emission = next_event = light_tracing = connections = false;
       merge_direct = true;
       break;
+    case BidirectionalKind::Bdpm:
+      next_event = connections = false;
+      merge_direct = true;
+      scene_radius = 5;
+      break;
     case BidirectionalKind::Vcm:
       break;
   }
@@ -33,6 +38,7 @@ bool BidirectionalSettings::connects_to_random_vertices() const {
 std::vector<Parameter> BidirectionalSettings::parameters() {
   const bool combines = kind == BidirectionalKind::Bdpt || kind == BidirectionalKind::Vcm;
   const bool is_vcm = kind == BidirectionalKind::Vcm;
+  const bool is_bdpm = kind == BidirectionalKind::Bdpm;
   std::vector<Parameter> list = {
       {"max_length", "Longest path", "Longest path in segments, -1 has no limit.", "segments",
        &max_length, -1, 1024},
@@ -45,13 +51,14 @@ std::vector<Parameter> BidirectionalSettings::parameters() {
   const auto add = [&](bool shown, const Parameter& parameter) {
     if (shown) list.push_back(parameter);
   };
-  add(combines, {"emission", "Find emitters", "Technique s = 0: camera paths that hit a light.", "",
-                 &emission});
+  add(combines || is_bdpm, {"emission", "Find emitters",
+                            "Technique s = 0: camera paths that hit a light.", "", &emission});
   add(combines,
       {"next_event", "Connect to lights",
        "Technique s = 1: camera vertices connected to a point on a light.", "", &next_event});
-  add(combines, {"light_tracing", "Connect to the lens",
-                 "Technique t = 1: light vertices connected to the camera.", "", &light_tracing});
+  add(combines || is_bdpm,
+      {"light_tracing", "Connect to the lens",
+       "Technique t = 1: light vertices connected to the camera.", "", &light_tracing});
   add(combines, {"connections", "Connect vertices",
                  "Techniques with s, t >= 2: light vertices connected to camera vertices.", "",
                  &connections});
@@ -65,14 +72,21 @@ std::vector<Parameter> BidirectionalSettings::parameters() {
   add(is_vcm, {"merging", "Merge vertices", "Merge camera vertices with photons.", "", &merging});
   const bool can_merge = kind >= BidirectionalKind::ProbabilisticPpm;
   for (const Parameter& parameter : radius_parameters()) add(can_merge, parameter);
-  add(can_merge, {"alpha", "Radius reduction",
-                  "The radius of pass i is r*i^((alpha-1)/2); 1 keeps it.", "", &alpha, 0.01, 1});
+  add(is_bdpm, {"neighbors", "Photons",
+                "Photons of one estimate; the radius above limits how far they are looked for.", "",
+                &neighbors, 1, 10000, true});
+  add(is_bdpm, {"kernel", "Kernel", "How photons count within an estimate.", "",
+                Parameter::Choice{&kernel, {"constant", "cone", "epanechnikov"}}});
+  add(can_merge && !is_bdpm,
+      {"alpha", "Radius reduction", "The radius of pass i is r*i^((alpha-1)/2); 1 keeps it.", "",
+       &alpha, 0.01, 1});
   add(is_vcm,
       {"merge_direct", "Merge direct light",
        "Merge also direct light and directly visible caustics, which connections do better.", "",
        &merge_direct});
-  add(can_merge, {"lean", "Save memory",
-                  "Keep photons only, and merge with those of the pass before.", "", &lean});
+  add(can_merge && !is_bdpm,
+      {"lean", "Save memory", "Keep photons only, and merge with those of the pass before.", "",
+       &lean});
   return list;
 }
 

@@ -2,12 +2,13 @@
 
 #include "renderer/integrators/integrator.h"
 #include "renderer/integrators/search_radius.h"
+#include "renderer/photons/density_estimate.h"
 #include "renderer/transport/mis.h"
 
 namespace guidelight {
 
 /// The members of the family: what differs is which techniques they combine.
-enum class BidirectionalKind { LightTracing, Bdpt, ProbabilisticPpm, Bpm, Vcm };
+enum class BidirectionalKind { LightTracing, Bdpt, ProbabilisticPpm, Bpm, Bdpm, Vcm };
 
 /// Settings of all integrators of the bidirectional kernel; each shows those that concern it.
 struct BidirectionalSettings : IntegratorSettings, RadiusSettings {
@@ -25,10 +26,14 @@ struct BidirectionalSettings : IntegratorSettings, RadiusSettings {
   int connect_to = 0;       // 0: the pixel's own light path, 1: random vertices of all
   int random_vertices = 4;  // per camera vertex
   float alpha = 0.75f;      // radius of pass i is r·i^((α-1)/2)
+  int neighbors = 50;       // BDPM: photons of an estimate
+  int kernel = static_cast<int>(Kernel::Cone);
   bool merge_direct = false;
   bool lean = false;
 
   bool merges() const;
+  /// Merges with the k nearest photons, not with all within a radius.
+  bool merges_nearest() const { return kind == BidirectionalKind::Bdpm; }
   bool connects_to_random_vertices() const;
 
   std::vector<Parameter> parameters() override;

@@ -233,6 +233,7 @@ std::vector<Method> methods(const SceneCase& scene) {
       {"vcm", "scene_radius=0.3,alpha=1,merge_direct=true", 6},
       {"vcm", "lean=true,radius_from=pixel,pixel_radius=1", 6},
       {"bpm", "scene_radius=0.5,alpha=1,light_paths=2", 6},
+      {"bdpm", "scene_radius=1,neighbors=10,light_paths=2", 6},
       {"pppm", "scene_radius=0.5,alpha=1,light_paths=2", 6},
   };
   if (scene.is_diffuse) {
