@@ -9,7 +9,7 @@
 #include "app/progress_bar.h"
 #include "app/render_arguments.h"
 #include "renderer/error.h"
-#include "renderer/io/checkpoint_file.h"
+#include "renderer/session/checkpoints.h"
 #include "renderer/session/picture_export.h"
 
 namespace guidelight {
@@ -51,30 +51,7 @@ struct RenderCommand {
 
  private:
   RenderJob make_job() const;
-  void resume_into(RenderJob& job) const;
 };
-
-/// What must agree for two renders to be parts of one.
-Metadata identity_of(const RenderJob& job) {
-  Metadata identity = describe_render(job, Snapshot());
-  for (const char* changing : {"passes", "seconds", "seed", "size"}) identity.erase(changing);
-  return identity;
-}
-
-void RenderCommand::resume_into(RenderJob& job) const {
-  if (!std::filesystem::exists(checkpoint)) return;
-  const Checkpoint saved = read_checkpoint(checkpoint);
-  if (saved.identity != identity_of(job)) {
-    throw Error(
-        "{}: saved from another scene, integrator or settings: use the same ones, or another "
-        "checkpoint file",
-        checkpoint);
-  }
-  if (saved.seed != job.seed) {
-    throw Error("{}: saved with --seed {}: resume with the same seed", checkpoint, saved.seed);
-  }
-  job.resume_from = RenderProgress{saved.film, saved.next_pass, saved.seconds};
-}
 
 RenderJob RenderCommand::make_job() const {
   RenderJob job = render.make_job(Scene::build(scene.read()));
@@ -100,13 +77,10 @@ RenderJob RenderCommand::make_job() const {
     job.region = PixelRegion{film.crop_x, film.crop_y, film.crop_x + film.crop_width,
                              film.crop_y + film.crop_height};
   }
-  if (resume) resume_into(job);
-  if (!checkpoint.empty()) {
-    const Metadata identity = identity_of(job);
-    job.save = [identity, path = checkpoint, seed = job.seed](const RenderProgress& progress) {
-      write_checkpoint(path, {progress.film, progress.next_pass, progress.seconds, seed, identity});
-    };
+  if (resume && std::filesystem::exists(checkpoint)) {
+    job.resume_from = resume_from(read_checkpoint(checkpoint), job, checkpoint);
   }
+  if (!checkpoint.empty()) job.save = save_to(checkpoint, job);
   return job;
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <tuple>
+#include <utility>
 
 #include "ui/histogram.h"
 
@@ -12,6 +14,14 @@ namespace {
 
 /// A camera that keeps moving lets each position show its first picture, unless that takes longer.
 constexpr std::chrono::milliseconds kLongestWaitForPicture{250};
+
+/// Whether they differ in nothing but when to stop.
+bool render_the_same(const RenderSettings& a, const RenderSettings& b) {
+  const auto picture = [](const RenderSettings& s) {
+    return std::tie(s.integrator, s.parameters, s.width, s.height, s.seed, s.threads, s.region);
+  };
+  return picture(a) == picture(b);
+}
 
 }  // namespace
 
@@ -52,6 +62,7 @@ void Document::open(OpenedScene opened) {
   settings_ = settings_for(scene());
   view_.inspected_pixel.reset();
   range_known_ = {};
+  resume_.reset();
   picture_ = nullptr;
   jobs_.clear();
   set_paused(false);
@@ -120,6 +131,11 @@ void Document::find_pivot() {
 // -- The render.
 
 void Document::set_settings(const RenderSettings& settings) {
+  if (render_the_same(settings, settings_)) {
+    settings_.targets = settings.targets;
+    session_.set_targets(settings.targets);
+    return;
+  }
   const bool resized = settings.width != settings_.width || settings.height != settings_.height;
   settings_ = settings;
   if (resized) {
@@ -134,6 +150,30 @@ void Document::set_integrator(const std::string& name) {
   changed.integrator = name;
   changed.parameters = find_integrator(name).make_settings(scene().description().hints);
   set_settings(changed);
+}
+
+void Document::resume(Checkpoint checkpoint, const std::string& path) {
+  resume_ = {std::move(checkpoint), path};
+  set_paused(false);
+  restart();
+}
+
+bool Document::save_checkpoint(const std::string& path,
+                               std::function<void(const std::string&)> done) {
+  const bool rendering =
+      !jobs_.empty() && !restart_pending_ && status_->state != SessionState::Failed;
+  if (!rendering) return false;
+  session_.save([save = save_to(path, jobs_.back().job),
+                 done = std::move(done)](const RenderProgress& progress) {
+    std::string problem;
+    try {
+      save(progress);
+    } catch (const std::exception& error) {
+      problem = error.what();
+    }
+    done(problem);
+  });
+  return true;
 }
 
 void Document::set_paused(bool paused) {
@@ -173,7 +213,18 @@ void Document::start(Clock::time_point now) {
   job.targets = settings_.targets;
   job.region = settings_.region;
   job.coarse_first = true;
+  if (resume_) {
+    const auto [checkpoint, path] = *std::exchange(resume_, std::nullopt);
+    try {
+      job.resume_from = resume_from(checkpoint, job, path);
+      job.coarse_first = false;
+      messages_.note(fmt::format("Goes on from pass {} of {}", checkpoint.next_pass, path));
+    } catch (const std::exception& error) {
+      messages_.error(error.what());
+    }
+  }
   const uint64_t number = session_.start(job);
+  job.resume_from.reset();  // the film of a checkpoint is large, and of no more use here
   jobs_.push_back({number, std::move(job)});
   job_started_ = now;
   restart_pending_ = false;

@@ -10,6 +10,7 @@
 
 #include "renderer/image/tonemap.h"
 #include "renderer/scene/scene.h"
+#include "renderer/session/checkpoints.h"
 #include "renderer/session/render_session.h"
 #include "ui/camera_controller.h"
 #include "ui/messages.h"
@@ -86,12 +87,18 @@ class Document {
 
   // -- The render.
   const RenderSettings& settings() const { return settings_; }
-  /// Takes over changed settings and restarts the render if they change the picture.
+  /// Takes over changed settings. Restarts the render, unless only the targets have changed.
   void set_settings(const RenderSettings& settings);
   /// Changes to another algorithm with its own defaults for the scene.
   void set_integrator(const std::string& name);
   void restart() { restart_pending_ = has_scene(); }
   bool restart_pending() const { return restart_pending_; }
+  /// Goes on from a checkpoint, read from `path`, instead of from nothing. A checkpoint that is not
+  /// of this scene, camera and settings is refused in the messages.
+  void resume(Checkpoint checkpoint, const std::string& path);
+  /// Has the progress written to a checkpoint when the pass is done. `done` is called on the render
+  /// thread, with the reason if it failed and empty otherwise. False if nothing is being rendered.
+  bool save_checkpoint(const std::string& path, std::function<void(const std::string&)> done);
   void set_paused(bool paused);
   bool paused() const { return paused_; }
 
@@ -131,6 +138,11 @@ class Document {
 
   bool paused_ = false;
   bool restart_pending_ = false;
+  struct PendingResume {
+    Checkpoint checkpoint;
+    std::string path;
+  };
+  std::optional<PendingResume> resume_;  // for the next start
   struct StartedJob {
     uint64_t number;
     RenderJob job;

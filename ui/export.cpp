@@ -2,19 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
 #include "renderer/session/picture_export.h"
 
 namespace guidelight {
-namespace {
-
-namespace fs = std::filesystem;
-
-}  // namespace
-
 Exporter::Exporter(Document& document, UiQueue& queue, std::string folder)
-    : document_(document), queue_(queue), folder_(std::move(folder)) {}
+    : document_(document), queue_(queue), files_(std::move(folder)) {}
 
 void Exporter::save_png(std::shared_ptr<const Picture> picture) {
   if (!picture || !document_.picture()) {
@@ -63,15 +55,8 @@ void Exporter::write(const std::string& path, std::function<void(const std::stri
   });
 }
 
-/// "box.png", "box-2.png" …: the first that is neither on disk nor about to be.
 std::string Exporter::next_path(const std::string& kind, const std::string& extension) {
-  const std::string stem = (document_.has_scene() ? document_.title() : "guidelight") + kind;
-  std::error_code ignored;  // a folder that cannot be read is reported when it is written to
-  for (int number = 1;; ++number) {
-    const std::string name = number == 1 ? stem : fmt::format("{}-{}", stem, number);
-    const std::string path = (fs::path(folder_) / (name + "." + extension)).string();
-    if (!fs::exists(path, ignored) && claimed_.insert(path).second) return path;
-  }
+  return files_.next((document_.has_scene() ? document_.title() : "guidelight") + kind, extension);
 }
 
 }  // namespace guidelight

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <functional>
-#include <set>
 #include <string>
 
 #include "ui/background_thread.h"
 #include "ui/document.h"
+#include "ui/numbered_files.h"
 #include "ui/picture_developer.h"
 #include "ui/ui_queue.h"
 
@@ -32,8 +32,7 @@ class Exporter {
 
   Document& document_;
   UiQueue& queue_;
-  std::string folder_;
-  std::set<std::string> claimed_;  // paths that may not be on disk yet
+  NumberedFiles files_;
   BackgroundThread thread_;
 };
 

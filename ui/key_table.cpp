@@ -17,6 +17,8 @@ constexpr int kAlt = GLFW_MOD_ALT;
 constexpr auto kKeyBindings = std::to_array<KeyBinding>({
     {Action::OpenScene, GLFW_KEY_O, kControl, "File", "Open scene…"},
     {Action::ReloadScene, GLFW_KEY_R, kControl, "File", "Reload scene"},
+    {Action::SaveCheckpoint, GLFW_KEY_S, kControl, "File", "Save checkpoint…"},
+    {Action::ResumeCheckpoint, GLFW_KEY_O, kControl | kShift, "File", "Resume checkpoint…"},
     {Action::Screenshot, GLFW_KEY_F12, 0, "File", "Save picture as PNG"},
     {Action::WindowCapture, GLFW_KEY_F12, kShift, "File", "Save window as PNG"},
     {Action::ExportHalf, GLFW_KEY_E, kControl, "File", "Export EXR, half"},

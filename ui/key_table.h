@@ -13,6 +13,8 @@ namespace guidelight {
 enum class Action {
   OpenScene,
   ReloadScene,
+  SaveCheckpoint,
+  ResumeCheckpoint,
   Screenshot,
   WindowCapture,
   ExportHalf,

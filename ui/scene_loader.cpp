@@ -46,6 +46,11 @@ void SceneLoader::load(const std::string& path, const std::map<std::string, std:
   }).detach();
 }
 
+void SceneLoader::forget() {
+  ++newest_request_;
+  loading_.clear();
+}
+
 void SceneLoader::finish(uint64_t request, const std::function<void()>& deliver) {
   if (request != newest_request_) return;
   loading_.clear();

@@ -21,6 +21,8 @@ class SceneLoader {
 
   /// `defines` override <default> variables of an XML scene.
   void load(const std::string& path, const std::map<std::string, std::string>& defines = {});
+  /// Drops what is being loaded.
+  void forget();
   /// The newest scene that is being loaded; empty if there is none.
   const std::string& loading() const { return loading_; }
   /// Whether any thread still works, even for a result that nobody wants any more. Reading a scene

@@ -12,6 +12,7 @@ namespace guidelight {
 namespace {
 
 constexpr const char* kParameterPrefix = "set.";
+constexpr const char* kDefinePrefix = "define.";
 
 std::optional<Mat4> matrix_from(const std::string& text) {
   std::istringstream stream(text);
@@ -30,6 +31,14 @@ std::optional<Number> number_from(const std::string& text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return number;
+}
+
+std::optional<PixelRegion> region_from(const std::string& text) {
+  std::istringstream stream(text);
+  PixelRegion region;
+  char comma = 0;
+  stream >> region.x0 >> comma >> region.y0 >> comma >> region.x1 >> comma >> region.y1;
+  return stream ? std::optional(region) : std::nullopt;
 }
 
 std::string lookup(const Metadata& metadata, const std::string& key) {
@@ -65,6 +74,8 @@ std::optional<RememberedSession> session_of(const Metadata& metadata) {
   }
   session.scene_hash = lookup(metadata, "scene_hash");
   session.parameters = with_prefix(metadata, kParameterPrefix);
+  session.defines = with_prefix(metadata, kDefinePrefix);
+  session.region = region_from(lookup(metadata, "region"));
   session.camera_to_world = *camera;
   session.width = *width;
   session.height = *height;
@@ -75,7 +86,7 @@ std::optional<RememberedSession> session_of(const Metadata& metadata) {
 void restore_session(const RememberedSession& session, Document& document) {
   if (session.scene_hash != file_hash(session.scene_path)) {
     document.messages().warning(session.scene_path +
-                                " has changed since the picture was saved; it may look different.");
+                                " has changed since this was saved; it may look different.");
   }
   RenderSettings settings = document.settings();
   settings.integrator = session.integrator;
@@ -86,6 +97,8 @@ void restore_session(const RememberedSession& session, Document& document) {
   settings.width = session.width;
   settings.height = session.height;
   settings.seed = session.seed;
+  document.set_settings(settings);
+  settings.region = session.region;  // after the size, which resets it
   document.set_settings(settings);
   document.move_camera(
       [&](CameraController& camera) { camera.set_to_world(session.camera_to_world); });

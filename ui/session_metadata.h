@@ -9,19 +9,21 @@
 
 namespace guidelight {
 
-/// What the metadata of an exported picture (describe_render) say about the session that made it.
+/// What the metadata of a picture or checkpoint (describe_render) say about the session it is from.
 struct RememberedSession {
   std::string scene_path;
   std::string scene_hash;
+  std::map<std::string, std::string> defines;  // variables the scene was read with
   std::string integrator;
   std::map<std::string, std::string> parameters;
   int width = 0;
   int height = 0;
   uint64_t seed = 0;
+  std::optional<PixelRegion> region;
   Mat4 camera_to_world{1.0f};
 };
 
-/// Empty if the metadata are not those of an exported picture.
+/// Empty if the metadata are not those of a picture or checkpoint of ours.
 std::optional<RememberedSession> session_of(const Metadata& metadata);
 
 /// Gives a document whose scene has just been opened the settings and the camera of a session.

@@ -7,17 +7,17 @@
 #include <utility>
 
 #include "renderer/error.h"
+#include "ui/checkpoint_saver.h"
 #include "ui/document.h"
 #include "ui/export.h"
 #include "ui/key_table.h"
 #include "ui/layout.h"
-#include "ui/panels/open_dialog.h"
+#include "ui/opener.h"
+#include "ui/panels/file_dialog.h"
 #include "ui/panels/panels.h"
 #include "ui/picture_developer.h"
 #include "ui/recent_files.h"
 #include "ui/render_view.h"
-#include "ui/scene_loader.h"
-#include "ui/session_metadata.h"
 #include "ui/theme.h"
 #include "ui/ui_queue.h"
 #include "ui/widgets.h"
@@ -43,7 +43,7 @@ class Viewer {
 
   void run();
   /// Whether threads are left that nobody can wait for.
-  bool leaves_threads_behind() const { return loader_.threads_running(); }
+  bool leaves_threads_behind() const { return opener_.threads_running(); }
 
  private:
   void draw_frame();
@@ -54,25 +54,23 @@ class Viewer {
   double seconds_to_sleep() const;
 
   void handle_key(int key, int modifiers);
-  void handle_drop(const std::vector<std::string>& paths);
   void perform(Action action);
-
-  void open_scene(const std::string& path);
-  void take_scene(OpenedScene opened);
-  void open_session_of(const std::string& picture_path);
+  void choose_file(FileRequest request, std::function<void(const std::string&)> chosen,
+                   const std::string& start);
+  void show_new_scene();
 
   std::shared_ptr<UiQueue> queue_ = std::make_shared<UiQueue>(&Window::wake);
-  SceneLoader loader_;
   Window window_;
   Document document_{&Window::wake};
   PictureDeveloper developer_;
   RenderView view_{window_};
   Exporter exporter_;
+  CheckpointSaver checkpoints_;
+  Opener opener_;
   std::function<void(double seconds)> on_frame_;
   RecentFiles recent_;
-  OpenDialog open_dialog_;
+  FileDialog file_dialog_;
   Layout layout_;
-  std::optional<RememberedSession> to_restore_;  // once its scene is there
   std::string title_;
   bool panels_shown_ = true;
   bool inspector_shown_ = true;
@@ -81,28 +79,19 @@ class Viewer {
   int frames_due_ = kFramesAfterEvent;
 };
 
-/// A file that Guidelight may have saved, with the session in its metadata.
-bool looks_like_picture(const std::string& path) {
-  return path.ends_with(".png") || path.ends_with(".exr");
-}
-
 std::string current_folder() {
   std::error_code ignored;
   return std::filesystem::current_path(ignored).string();
 }
 
 Viewer::Viewer(const ViewerOptions& options)
-    : loader_(
-          queue_, [this](OpenedScene opened) { take_scene(std::move(opened)); },
-          [this](const std::string& reason) {
-            to_restore_.reset();
-            document_.messages().error(reason);
-          }),
-      window_("Guidelight", options.ui_scale),
+    : window_("Guidelight", options.ui_scale),
       developer_(
           *queue_,
           [this](std::shared_ptr<const Picture> picture) { view_.show(std::move(picture)); }),
       exporter_(document_, *queue_, current_folder()),
+      checkpoints_(document_, queue_, current_folder()),
+      opener_(document_, queue_, [this] { show_new_scene(); }),
       on_frame_(options.on_frame) {
   RenderSettings overrides;
   overrides.integrator = options.integrator;
@@ -112,8 +101,10 @@ Viewer::Viewer(const ViewerOptions& options)
   overrides.seed = options.seed;
   document_.override_settings(overrides);
   window_.on_key = [this](int key, int modifiers) { handle_key(key, modifiers); };
-  window_.on_drop = [this](const std::vector<std::string>& paths) { handle_drop(paths); };
-  if (!options.scene_path.empty()) loader_.load(options.scene_path, options.defines);
+  window_.on_drop = [this](const std::vector<std::string>& paths) {
+    if (!paths.empty()) opener_.open(paths.front());
+  };
+  if (!options.scene_path.empty()) opener_.open(options.scene_path, options.defines);
 }
 
 // -- The loop.
@@ -125,6 +116,7 @@ void Viewer::run() {
     frame_began = Clock::now();
     queue_->run();
     document_.update(frame_began);
+    checkpoints_.update(frame_began);
     if (document_.picture()) {
       developer_.request(document_.picture(), document_.view().layer, document_.view().current());
     }
@@ -163,13 +155,13 @@ void Viewer::draw_frame() {
   const auto act = [this](Action action) { perform(action); };
   float menu_height = 0;
   if (panels_shown_) {
-    draw_menu_bar(recent_, act, [this](const std::string& path) { open_scene(path); });
+    draw_menu_bar(recent_, act, [this](const std::string& path) { opener_.open(path); });
     menu_height = ImGui::GetFrameHeight();
   }
   layout_.update(panels_shown_, menu_height);
   draw_view();
   if (panels_shown_) draw_panels();
-  open_dialog_.draw(recent_, [this](const std::string& path) { open_scene(path); });
+  file_dialog_.draw(recent_);
   if (key_sheet_shown_) draw_key_sheet(key_sheet_shown_);
 
   if (capture_requested_) {
@@ -198,7 +190,7 @@ void Viewer::draw_panels() {
   begin_area("left", layout_.left(), Padding::Panel, palette::kPanel);
   draw_scene_panel(document_);
   draw_integrator_panel(document_);
-  draw_render_panel(document_, view_.region_tool_active(), act);
+  draw_render_panel(document_, view_.region_tool_active(), checkpoints_.autosave_minutes(), act);
   ImGui::End();
 
   begin_area("right", layout_.right(), Padding::Panel, palette::kPanel);
@@ -208,7 +200,7 @@ void Viewer::draw_panels() {
   ImGui::End();
 
   begin_area("status", layout_.status(), Padding::Bar, palette::kPanel);
-  draw_status_bar(document_, view_, loader_.loading());
+  draw_status_bar(document_, view_, opener_.loading());
   ImGui::End();
 }
 
@@ -216,27 +208,36 @@ void Viewer::draw_panels() {
 
 void Viewer::handle_key(int key, int modifiers) {
   frames_due_ = kFramesAfterEvent;
-  if (view_.animating() || open_dialog_.is_open()) return;
+  if (view_.animating() || file_dialog_.is_open()) return;
   if (const auto action = action_for(key, modifiers)) perform(*action);
 }
 
-void Viewer::handle_drop(const std::vector<std::string>& paths) {
-  if (paths.empty()) return;
-  if (looks_like_picture(paths.front())) {
-    open_session_of(paths.front());
-  } else {
-    open_scene(paths.front());
-  }
+void Viewer::choose_file(FileRequest request, std::function<void(const std::string&)> chosen,
+                         const std::string& start) {
+  request.chosen = std::move(chosen);
+  file_dialog_.open(std::move(request), start);
 }
 
 void Viewer::perform(Action action) {
   DisplaySettings& display = document_.view().current();
   switch (action) {
     case Action::OpenScene:
-      open_dialog_.open(std::filesystem::path(document_.opened().path).parent_path().string());
+      choose_file(
+          open_scene_request(), [this](const std::string& path) { opener_.open(path); },
+          std::filesystem::path(document_.opened().path).parent_path().string());
       break;
     case Action::ReloadScene:
-      if (document_.has_scene()) loader_.load(document_.opened().path, document_.opened().defines);
+      opener_.reload();
+      break;
+    case Action::SaveCheckpoint:
+      choose_file(
+          save_checkpoint_request(), [this](const std::string& path) { checkpoints_.save(path); },
+          checkpoints_.suggested_path());
+      break;
+    case Action::ResumeCheckpoint:
+      choose_file(
+          resume_checkpoint_request(), [this](const std::string& path) { opener_.resume(path); },
+          current_folder());
       break;
     case Action::Screenshot:
       exporter_.save_png(view_.picture());
@@ -320,37 +321,13 @@ void Viewer::perform(Action action) {
   }
 }
 
-// -- Scenes.
-
-void Viewer::open_scene(const std::string& path) {
-  to_restore_.reset();
-  loader_.load(path);
-}
-
-void Viewer::take_scene(OpenedScene opened) {
-  const std::string path = opened.path;
-  document_.open(std::move(opened));
+void Viewer::show_new_scene() {
   view_.use_default_tool();
   view_.transform().fit();
   try {
-    if (to_restore_) restore_session(*std::exchange(to_restore_, {}), document_);
-    recent_.add(path);
+    recent_.add(document_.opened().path);
   } catch (const std::exception& error) {
     document_.messages().warning(error.what());
-  }
-}
-
-/// Opens the scene that a saved picture is of, from where the picture was seen.
-void Viewer::open_session_of(const std::string& picture_path) {
-  try {
-    to_restore_ = session_of(read_metadata(picture_path));
-    if (!to_restore_) {
-      throw Error("{} carries no session: drop a picture that Guidelight saved, or a scene",
-                  picture_path);
-    }
-    loader_.load(to_restore_->scene_path);
-  } catch (const std::exception& error) {
-    document_.messages().error(error.what());
   }
 }
 

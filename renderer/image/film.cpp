@@ -14,7 +14,7 @@ Film::Film(int width, int height, const FilterSettings& filter)
     throw Error("a film of {}x{} pixels has nothing to show: give it at least one pixel", width,
                 height);
   }
-  pixels_.resize(static_cast<size_t>(width) * height);
+  pixels_ = ZeroedArray<Pixel>(static_cast<size_t>(width) * height);
 }
 
 // -- Samples and splats.
@@ -68,8 +68,8 @@ std::span<const DensityEstimate> Film::density_estimates(int x, int y) const {
 
 void Film::prepare_splats() {
   if (has_splats()) return;
-  splats_.resize(pixels_.size());
-  statistics_.resize(pixels_.size());
+  splats_ = ZeroedArray<Radiance>(pixels_.size());
+  statistics_ = ZeroedArray<PassStatistics>(pixels_.size());
 }
 
 namespace {

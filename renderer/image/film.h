@@ -8,6 +8,7 @@
 #include "renderer/image/filter.h"
 #include "renderer/image/image.h"
 #include "renderer/image/layer.h"
+#include "renderer/image/zeroed_array.h"
 
 namespace guidelight {
 
@@ -160,9 +161,9 @@ class Film {
   int width_;
   int height_;
   Filter filter_;
-  std::vector<Pixel> pixels_;
-  std::vector<Radiance> splats_;            // per pixel, or empty
-  std::vector<PassStatistics> statistics_;  // as many as splats
+  ZeroedArray<Pixel> pixels_;
+  ZeroedArray<Radiance> splats_;            // per pixel, or empty
+  ZeroedArray<PassStatistics> statistics_;  // as many as splats
   DensityEstimates density_;
   uint64_t splat_count_ = 0;           // light paths
   uint64_t finished_splat_count_ = 0;  // of finished passes

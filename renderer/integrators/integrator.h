@@ -18,6 +18,7 @@ struct PixelRegion {
   int y0 = 0;
   int x1 = 0;
   int y1 = 0;
+
   bool operator==(const PixelRegion&) const = default;
 };
 

@@ -12,6 +12,7 @@ namespace guidelight {
 
 namespace {
 
+constexpr const char* kMark = "guidelight_checkpoint";  // key of the version
 constexpr int kVersion = 3;
 constexpr int kLargestSide = 65536;
 
@@ -38,12 +39,15 @@ FilterSettings filter_from(const nlohmann::json& json) {
 void write_checkpoint(const std::string& path, const Checkpoint& checkpoint) {
   const Film& film = *checkpoint.film;
   const std::vector<double> state = film.state();
-  const nlohmann::json header = {
-      {"guidelight_checkpoint", kVersion}, {"width", film.width()},
-      {"height", film.height()},           {"filter", filter_json(film.filter().settings())},
-      {"next_pass", checkpoint.next_pass}, {"seconds", checkpoint.seconds},
-      {"seed", checkpoint.seed},           {"numbers", state.size()},
-      {"identity", checkpoint.identity}};
+  const nlohmann::json header = {{kMark, kVersion},
+                                 {"width", film.width()},
+                                 {"height", film.height()},
+                                 {"filter", filter_json(film.filter().settings())},
+                                 {"next_pass", checkpoint.next_pass},
+                                 {"seconds", checkpoint.seconds},
+                                 {"seed", checkpoint.seed},
+                                 {"numbers", state.size()},
+                                 {"identity", checkpoint.identity}};
   std::string bytes = header.dump() + "\n";
   const size_t start = bytes.size();
   bytes.resize(start + state.size() * sizeof(double));
@@ -58,7 +62,7 @@ Checkpoint read_checkpoint(const std::string& path) {
   std::getline(file, line);
   try {
     const nlohmann::json header = nlohmann::json::parse(line);
-    if (header.at("guidelight_checkpoint") != kVersion) {
+    if (header.at(kMark) != kVersion) {
       throw Error("{}: written by another version of the program: render again", path);
     }
     const int width = header.at("width");
@@ -87,6 +91,14 @@ Checkpoint read_checkpoint(const std::string& path) {
   } catch (const nlohmann::json::exception&) {
     throw Error("{}: this is not a checkpoint, or its first line is damaged: check the path", path);
   }
+}
+
+bool is_checkpoint(const std::string& path) {
+  constexpr size_t kBeginning = 1024;  // the keys are in alphabetical order
+  std::ifstream file(path, std::ios::binary);
+  std::string beginning(kBeginning, ' ');
+  file.read(beginning.data(), kBeginning);
+  return beginning.starts_with("{") && beginning.find(kMark) != std::string::npos;
 }
 
 }  // namespace guidelight

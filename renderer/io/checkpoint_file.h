@@ -23,5 +23,7 @@ struct Checkpoint {
 /// film's state as little-endian doubles. Throws Error naming the path.
 void write_checkpoint(const std::string& path, const Checkpoint& checkpoint);
 Checkpoint read_checkpoint(const std::string& path);
+/// Whether a file begins like a checkpoint, of any version.
+bool is_checkpoint(const std::string& path);
 
 }  // namespace guidelight

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -343,7 +344,8 @@ struct RenderHints {
 
 struct SceneDescription {
   std::string name;
-  std::string path;  // the file it came from, empty if none
+  std::string path;                            // the file it came from, empty if none
+  std::map<std::string, std::string> defines;  // <default> variables it was read with
   std::vector<TextureDescription> textures;
   std::vector<BsdfDescription> bsdfs;
   std::vector<MediumDescription> media;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <string_view>
 
 #include "renderer/error.h"
@@ -26,6 +27,8 @@ bool is_available(const std::string& name) {
 std::shared_ptr<SceneDescription> open_scene(const std::string& path,
                                              const std::map<std::string, std::string>& defines) {
   auto scene = std::make_shared<SceneDescription>(read_scene(path, defines));
+  scene->path = std::filesystem::absolute(path).lexically_normal().string();
+  scene->defines = defines;
   RenderHints& hints = scene->hints;
   // Direct light is path tracing that ends after one scattering.
   if (hints.integrator == "direct" && !hints.max_depth) hints.max_depth = 2;

@@ -64,6 +64,7 @@ Metadata describe_render(const RenderJob& job, const Snapshot& snapshot) {
   data["software"] = "Guidelight";
   data["scene"] = description.path;
   data["scene_hash"] = file_hash(description.path);
+  for (const auto& [name, value] : description.defines) data["define." + name] = value;
   data["integrator"] = job.integrator;
   const auto settings = job.settings
                             ? job.settings->clone()

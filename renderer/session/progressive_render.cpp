@@ -32,7 +32,7 @@ class ProgressiveRender {
     status_.full_height = job.scene->camera().height();
   }
 
-  void run() {
+  [[noreturn]] void run() {
     if (job_.coarse_first) show_coarse_pictures();
     const Camera& camera = job_.scene->camera();
     auto film = std::make_shared<Film>(camera.width(), camera.height(), camera.film().filter);
@@ -43,10 +43,11 @@ class ProgressiveRender {
       try {
         integrator->render_pass(pass, *film, context);
       } catch (const Stopped&) {
+        // The part of the pass that is in the film must not be rendered again with the same
+        // numbers.
+        save_on_request(film, pass + 1);
         if (observer_.wants_unfinished()) {
           show(*film, SessionState::Idle);
-          // The part of the pass that is in the film must not be rendered again with the same
-          // numbers.
           save(film, pass + 1);
         }
         throw;
@@ -58,7 +59,8 @@ class ProgressiveRender {
         show(*film, finished ? SessionState::Finished : SessionState::Rendering);
       }
       if (finished || since_saved_.seconds() >= job_.save_interval) save(film, pass + 1);
-      if (finished) return;
+      save_on_request(film, pass + 1);
+      if (finished) rest_until_there_is_more_to_do(film, pass + 1);
     }
   }
 
@@ -75,6 +77,20 @@ class ProgressiveRender {
     if (!job_.save) return;
     job_.save({film, next_pass, seconds()});
     since_saved_.restart();
+  }
+
+  void save_on_request(const std::shared_ptr<const Film>& film, uint32_t next_pass) {
+    for (const SaveProgress& wanted : observer_.take_save_requests()) {
+      wanted({film, next_pass, seconds()});
+    }
+  }
+
+  void rest_until_there_is_more_to_do(const std::shared_ptr<const Film>& film, uint32_t next_pass) {
+    do {
+      observer_.rest();
+      save_on_request(film, next_pass);
+    } while (target_reached(*film));
+    show(*film, SessionState::Rendering);
   }
 
   double seconds() const {
@@ -99,7 +115,7 @@ class ProgressiveRender {
 
   /// Also sets the progress towards the nearest target.
   bool target_reached(const Film& film) {
-    const RenderTargets& targets = job_.targets;
+    const RenderTargets targets = observer_.targets();
     double progress = 0;
     if (targets.passes > 0) progress = static_cast<double>(status_.passes) / targets.passes;
     if (targets.seconds > 0) progress = std::max(progress, seconds() / targets.seconds);

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <vector>
+
 #include "renderer/session/render_session.h"
 
 namespace guidelight {
 
-/// Who watches a render. Called on the thread that renders.
+/// Who watches a render and has a say in it. Called on the thread that renders.
 class RenderObserver {
  public:
   virtual ~RenderObserver() = default;
@@ -13,11 +15,19 @@ class RenderObserver {
   /// Whether the unfinished last pass of a job that is given up should still be shown and saved.
   virtual bool wants_unfinished() const = 0;
   virtual void publish(Snapshot snapshot) = 0;
+  /// When to stop, as things stand now.
+  virtual RenderTargets targets() const = 0;
+  /// Who has asked for the progress since this was called last.
+  virtual std::vector<SaveProgress> take_save_requests() = 0;
+  /// Waits for other targets or for somebody who wants the progress. Throws Stopped.
+  virtual void rest() = 0;
 };
 
-/// Renders one job pass after pass on the calling thread, until a target is reached or `control`
-/// asks to stop (then Stopped is thrown). Snapshots are published after coarse pictures, after the
-/// first pass, and then so that publishing takes a small share of the time.
-void render_progressively(const RenderJob& job, WorkControl& control, RenderObserver& observer);
+/// Renders one job pass after pass on the calling thread, and rests when a target is reached, until
+/// `control` asks to stop. Snapshots are published after coarse pictures, after the first pass, and
+/// then so that publishing takes a small share of the time. Ends by throwing Stopped, or what went
+/// wrong.
+[[noreturn]] void render_progressively(const RenderJob& job, WorkControl& control,
+                                       RenderObserver& observer);
 
 }  // namespace guidelight

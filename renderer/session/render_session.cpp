@@ -3,6 +3,8 @@
 #include <condition_variable>
 #include <mutex>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "renderer/session/progressive_render.h"
 #include "renderer/session/stopwatch.h"
@@ -38,6 +40,19 @@ class RenderSession::Impl : private RenderObserver {
     give_up_current_job();
   }
 
+  void set_targets(const RenderTargets& targets) {
+    const std::lock_guard lock(mutex_);
+    (next_ ? next_->targets : targets_) = targets;
+    interrupt_rest();
+  }
+
+  void save(SaveProgress save) {
+    const std::lock_guard lock(mutex_);
+    save_requests_.push_back({last_job_, std::move(save)});
+    apply_pause();
+    interrupt_rest();
+  }
+
   void set_paused(bool paused) {
     const std::lock_guard lock(mutex_);
     paused_ = paused;
@@ -57,7 +72,7 @@ class RenderSession::Impl : private RenderObserver {
 
   void wait() const {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return !control_ && !next_; });
+    changed_.wait(lock, [&] { return !next_ && (!control_ || (resting_ && !has_orders_)); });
   }
 
  private:
@@ -85,8 +100,11 @@ class RenderSession::Impl : private RenderObserver {
     if (quit_) return std::nullopt;
     control_ = std::make_unique<WorkControl>();
     picture_shown_ = false;
+    has_orders_ = false;
     watch_.restart();
     current_job_ = last_job_;
+    std::erase_if(save_requests_, [&](const auto& request) { return request.job != current_job_; });
+    targets_ = next_->targets;
     std::optional<RenderJob> job = std::move(next_);
     next_.reset();
     return job;
@@ -118,20 +136,54 @@ class RenderSession::Impl : private RenderObserver {
     return !next_ && !quit_;
   }
 
+  RenderTargets targets() const override {
+    const std::lock_guard lock(mutex_);
+    return targets_;
+  }
+
+  std::vector<SaveProgress> take_save_requests() override {
+    const std::lock_guard lock(mutex_);
+    std::vector<SaveProgress> taken;
+    std::erase_if(save_requests_, [&](auto& request) {
+      if (request.job != current_job_) return false;
+      taken.push_back(std::move(request.save));
+      return true;
+    });
+    apply_pause();
+    return taken;
+  }
+
+  void rest() override {
+    std::unique_lock lock(mutex_);
+    resting_ = true;
+    apply_pause();
+    changed_.notify_all();
+    changed_.wait(lock, [&] { return has_orders_ || control_->stop_requested(); });
+    resting_ = false;
+    apply_pause();
+    const bool has_orders = std::exchange(has_orders_, false);
+    if (!has_orders) throw Stopped{};
+  }
+
   // -- Called with the mutex held.
+
+  void interrupt_rest() {
+    has_orders_ = true;
+    changed_.notify_all();
+  }
 
   void give_up_current_job() {
     if (control_) control_->request_stop();
     changed_.notify_all();
   }
 
-  /// A new job shows its first picture before it rests, or a person who moves the camera while
-  /// paused would see nothing.
+  /// A new job shows its first picture before it pauses, or a person who moves the camera while
+  /// paused would see nothing. Progress is saved between passes, so the pass is rendered first.
   void apply_pause() {
     if (!control_) return;
-    const bool rest = paused_ && picture_shown_;
-    control_->set_paused(rest);
-    watch_.set_paused(rest);
+    const bool pause = paused_ && picture_shown_ && save_requests_.empty();
+    control_->set_paused(pause);
+    watch_.set_paused(pause || resting_);
   }
 
   void replace_snapshot(Snapshot snapshot) {
@@ -144,7 +196,15 @@ class RenderSession::Impl : private RenderObserver {
   mutable std::condition_variable changed_;
   bool quit_ = false;
   bool paused_ = false;
-  bool picture_shown_ = false;            // of the current job, at full size
+  bool picture_shown_ = false;  // of the current job, at full size
+  bool resting_ = false;        // the current job has reached a target
+  bool has_orders_ = false;     // something was asked for that ends the rest
+  RenderTargets targets_;       // of the current job
+  struct SaveRequest {
+    uint64_t job;
+    SaveProgress save;
+  };
+  std::vector<SaveRequest> save_requests_;
   std::optional<RenderJob> next_;         // waits for the thread
   std::unique_ptr<WorkControl> control_;  // of the current job; null between jobs
   uint64_t last_job_ = 0;                 // number given out by start()
@@ -163,6 +223,8 @@ uint64_t RenderSession::start(RenderJob job) { return impl_->start(std::move(job
 void RenderSession::pause() { impl_->set_paused(true); }
 void RenderSession::resume() { impl_->set_paused(false); }
 void RenderSession::stop() { impl_->stop(); }
+void RenderSession::set_targets(const RenderTargets& targets) { impl_->set_targets(targets); }
+void RenderSession::save(SaveProgress save) { impl_->save(std::move(save)); }
 std::shared_ptr<const Snapshot> RenderSession::snapshot() const { return impl_->snapshot(); }
 void RenderSession::wait() const { impl_->wait(); }
 

@@ -24,6 +24,8 @@ struct RenderProgress {
   double seconds = 0;
 };
 
+using SaveProgress = std::function<void(const RenderProgress&)>;
+
 /// What to render.
 struct RenderJob {
   std::shared_ptr<const Scene> scene;
@@ -40,13 +42,13 @@ struct RenderJob {
   std::optional<RenderProgress> resume_from;
   /// Called on the render thread every `save_interval` seconds, and at the end, to save the
   /// progress. An exception it throws ends the job as failed.
-  std::function<void(const RenderProgress&)> save;
+  SaveProgress save;
   double save_interval = 60;
 };
 
 /// Renders in a thread of its own, at a priority below that of the caller's. All functions may be
 /// called from any thread and return at once; commands are carried out in order. The destructor
-/// stops and joins.
+/// stops and joins. A job that has reached a target rests, ready to go on.
 class RenderSession {
  public:
   /// `published`, if given, is called from the render thread after each new snapshot, for instance
@@ -65,11 +67,18 @@ class RenderSession {
   void resume();
   /// Gives up the pass that is being rendered; what was rendered is published.
   void stop();
+  /// Replaces the targets of the job that was started last; one that had reached its own goes on.
+  void set_targets(const RenderTargets& targets);
+  /// Hands over the progress of the job that was started last, on the render thread, as soon as its
+  /// pass is done or given up. If it is paused it goes on until then. Nothing is saved if the job
+  /// fails, or is replaced before it has begun.
+  void save(SaveProgress save);
 
   /// The latest picture; never null, without layers before the first.
   std::shared_ptr<const Snapshot> snapshot() const;
 
-  /// Waits until the job is finished, failed or stopped. For programs without an event loop.
+  /// Waits until the job has reached a target, failed or was stopped. For programs without an event
+  /// loop.
   void wait() const;
 
  private:

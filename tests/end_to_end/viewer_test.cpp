@@ -3,6 +3,7 @@
 #include <thread>
 
 #include "renderer/image/layer.h"
+#include "renderer/io/checkpoint_file.h"
 #include "tests/end_to_end/viewer_fixture.h"
 
 namespace guidelight {
@@ -353,6 +354,48 @@ TEST_F(ViewerTest, ADroppedPictureRestoresItsSession) {
   for (const char* key : {"scene", "seed", "size", "camera_to_world", "integrator"}) {
     EXPECT_EQ(now.at(key), then.at(key)) << key;
   }
+}
+
+TEST_F(ViewerTest, ACheckpointIsResumedByAnotherViewer) {
+  start({scene("default"), "--size", "160x120", "--seed", "5"});
+  ASSERT_TRUE(wait_for_picture());
+  driver_->drag(kViewCenter, {kViewCenter.x + 60, kViewCenter.y}, Mouse::Left, {"Alt_L"});
+  // Longer than it takes to look at what is resumed.
+  std::this_thread::sleep_for(6s);
+  ASSERT_TRUE(change_view([&] { driver_->press_key("s", {"Control_L"}); }));
+  driver_->press_key("Return");  // the name that is suggested
+  const std::string path = (folder() / "default.checkpoint").string();
+  ASSERT_TRUE(wait_until([&] { return std::filesystem::exists(path); }));
+  EXPECT_TRUE(wait_until([&] { return count_color(capture(), kNoteStripe) > 40; }))
+      << "it says where it wrote";
+  const auto then = read_metadata(save_png());
+  driver_->close_window();
+  EXPECT_EQ(viewer_->wait(10s), 0);
+  const Checkpoint checkpoint = read_checkpoint(path);
+  EXPECT_GT(checkpoint.seconds, 5);
+
+  const auto expect_resumed = [&] {
+    // A render that began anew would need the time it took before.
+    const auto now = read_metadata(save_png());
+    EXPECT_GT(std::stoul(now.at("passes")), checkpoint.next_pass);
+    EXPECT_GT(std::stod(now.at("seconds")), checkpoint.seconds);
+    for (const char* key : {"scene", "seed", "size", "camera_to_world", "integrator"}) {
+      EXPECT_EQ(now.at(key), then.at(key)) << key;
+    }
+  };
+  start({scene("cornell")});
+  ASSERT_TRUE(wait_for_picture());
+  ASSERT_TRUE(change_view([&] { driver_->press_key("o", {"Control_L", "Shift_L"}); }));
+  driver_->press_key("End");
+  driver_->type("default.checkpoint\n");
+  ASSERT_TRUE(wait_until([&] { return driver_->title() == "default — Guidelight"; }));
+  std::this_thread::sleep_for(1s);  // for the dialog to leave the screen
+  expect_resumed();
+  ASSERT_TRUE(driver_->drop_file(scene("cornell"), kViewCenter));
+  ASSERT_TRUE(wait_until([&] { return driver_->title() == "cornell — Guidelight"; }));
+  ASSERT_TRUE(driver_->drop_file(path, kViewCenter));
+  ASSERT_TRUE(wait_until([&] { return driver_->title() == "default — Guidelight"; }));
+  expect_resumed();
 }
 
 TEST_F(ViewerTest, TheOpenDialogWorksByKeyboard) {

@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <filesystem>
 #include <thread>
 
 #include "renderer/session/picture_export.h"
 #include "tests/renderer/test_scenes.h"
+#include "ui/checkpoint_saver.h"
 #include "ui/pixel_probe.h"
 #include "ui/session_metadata.h"
 
@@ -206,6 +209,8 @@ TEST_F(DocumentTest, ASessionIsRestoredFromTheMetadataOfItsPicture) {
   settings.width = 12;
   settings.height = 8;
   document_.set_settings(settings);
+  settings.region = PixelRegion{1, 2, 10, 7};
+  document_.set_settings(settings);
   document_.move_camera([](CameraController& camera) { camera.orbit({0.3f, -0.1f}); });
   ASSERT_TRUE(update_until([&] {
     return document_.picture() && document_.picture()->full_width == 12 &&
@@ -222,8 +227,97 @@ TEST_F(DocumentTest, ASessionIsRestoredFromTheMetadataOfItsPicture) {
   EXPECT_EQ(document_.settings().seed, 42u);
   EXPECT_EQ(document_.settings().width, 12);
   EXPECT_EQ(document_.settings().height, 8);
+  EXPECT_EQ(document_.settings().region, (PixelRegion{1, 2, 10, 7}));
   EXPECT_EQ(session->parameters.at("max_depth"), "5");
   EXPECT_EQ(parameter_text(document_.settings().parameters->clone()->parameters().front()), "5");
+}
+
+TEST_F(DocumentTest, TargetsDoNotRestart) {
+  open_room();
+  ASSERT_TRUE(wait_for_full_picture());
+  const uint64_t job = settled_job();
+  RenderSettings settings = document_.settings();
+  settings.targets.passes = 1;
+  document_.set_settings(settings);
+  ASSERT_TRUE(update_until([&] { return document_.status().state == SessionState::Finished; }));
+  settings.targets.passes = document_.status().passes + 2;
+  document_.set_settings(settings);
+  ASSERT_TRUE(update_until([&] { return document_.status().passes == settings.targets.passes; }));
+  EXPECT_EQ(document_.picture()->job, job);
+}
+
+TEST_F(DocumentTest, ACheckpointIsSavedAndResumed) {
+  const std::string path = ::testing::TempDir() + "guidelight_document_test.checkpoint";
+  EXPECT_FALSE(document_.save_checkpoint(path, {})) << "there is nothing to save";
+  open_room();
+  ASSERT_TRUE(update_until([&] { return document_.status().passes >= 3; }));
+  std::atomic<bool> done = false;
+  std::string problem;
+  ASSERT_TRUE(document_.save_checkpoint(path, [&](const std::string& reason) {
+    problem = reason;
+    done = true;
+  }));
+  ASSERT_TRUE(update_until([&] { return done.load(); }));
+  EXPECT_EQ(problem, "");
+  const Checkpoint checkpoint = read_checkpoint(path);
+  EXPECT_GE(checkpoint.next_pass, 3u);
+
+  open_room();
+  document_.resume(checkpoint, path);
+  ASSERT_TRUE(wait_for_full_picture());
+  EXPECT_GT(document_.picture()->passes, checkpoint.next_pass);
+  EXPECT_GT(document_.picture()->seconds, checkpoint.seconds);
+
+  // Another camera is another render: it says so, and begins anew.
+  document_.move_camera([](CameraController& camera) { camera.pan({0.1f, 0}); });
+  document_.resume(checkpoint, path);
+  const uint64_t job = document_.picture()->job;
+  ASSERT_TRUE(update_until([&] { return document_.picture()->job > job; }));
+  EXPECT_NE(document_.messages().shown().back().text.find("another render"), std::string::npos);
+  std::filesystem::remove(path);
+}
+
+TEST_F(DocumentTest, CheckpointsAreSavedAutomaticallyWhenItIsTime) {
+  const std::string folder = ::testing::TempDir() + "guidelight_autosave";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  const auto queue = std::make_shared<UiQueue>([] {});
+  CheckpointSaver saver(document_, queue, folder);
+  open_room();
+  ASSERT_TRUE(wait_for_full_picture());
+  const auto now = Document::Clock::now();
+  saver.update(now);
+  saver.update(now + 60min);
+  EXPECT_TRUE(std::filesystem::is_empty(folder)) << "nobody asked for it";
+
+  saver.autosave_minutes() = 10;
+  saver.update(now + 9min);
+  const std::string path = folder + "/room.checkpoint";
+  const auto saved_passes = [&] {
+    EXPECT_TRUE(update_until([&] {
+      queue->run();
+      return document_.messages().shown().size() == 1;
+    }));
+    EXPECT_EQ(document_.messages().shown().back().text, "Saved the progress to " + path);
+    document_.messages().dismiss(document_.messages().shown().back().id);
+    return read_checkpoint(path).next_pass;
+  };
+  ASSERT_FALSE(std::filesystem::exists(path));
+  saver.update(now + 10min);
+  const uint32_t first = saved_passes();
+  ASSERT_TRUE(update_until([&] { return document_.status().passes > first + 1; }));
+  saver.update(now + 21min);
+  EXPECT_GT(saved_passes(), first) << "a render writes over its own checkpoint";
+
+  document_.restart();
+  const uint64_t job = document_.status().job;
+  ASSERT_TRUE(update_until([&] { return document_.status().job > job; }));
+  saver.update(now + 22min);
+  ASSERT_TRUE(wait_for_full_picture());
+  saver.update(now + 40min);
+  EXPECT_TRUE(update_until([&] { return std::filesystem::exists(folder + "/room-2.checkpoint"); }))
+      << "and over no other";
+  std::filesystem::remove_all(folder);
 }
 
 TEST(SessionMetadata, OtherPicturesCarryNoSession) {

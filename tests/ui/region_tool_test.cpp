@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "ui/panels/open_dialog.h"
-
 namespace guidelight {
 namespace {
 
@@ -43,14 +41,6 @@ TEST(RegionTool, ADragSetsTheRegionAndAClickClearsIt) {
   tool.press(document, {10, 10});
   tool.release(document, {10, 10});
   EXPECT_FALSE(document.settings().region);
-}
-
-TEST(OpenDialog, KnowsScenesByTheirNames) {
-  EXPECT_TRUE(looks_like_scene("/a/scene.xml"));
-  EXPECT_TRUE(looks_like_scene("Duck.GLB"));
-  EXPECT_TRUE(looks_like_scene("a.gltf"));
-  EXPECT_FALSE(looks_like_scene("a.obj"));
-  EXPECT_FALSE(looks_like_scene("xml"));
 }
 
 }  // namespace

@@ -19,7 +19,8 @@ void draw_menu_bar(const RecentFiles& recent, const Perform& perform,
 
 void draw_scene_panel(const Document& document);
 void draw_integrator_panel(Document& document);
-void draw_render_panel(Document& document, bool region_tool_active, const Perform& perform);
+void draw_render_panel(Document& document, bool region_tool_active, int& autosave_minutes,
+                       const Perform& perform);
 
 void draw_image_panel(Document& document, const Perform& perform);
 /// `picture` may be null.

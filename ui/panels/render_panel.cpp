@@ -73,23 +73,23 @@ bool edit_seed(RenderSettings& settings) {
 
 bool edit_targets(RenderTargets& targets) {
   constexpr const char* kNoLimit = "(no limit)";
-  const std::string restarts = " 0 sets no limit. Changing it restarts the render.";
+  const std::string no_limit = " 0 sets no limit. Changing it does not restart the render.";
   bool changed = false;
 
   int passes = static_cast<int>(targets.passes);
-  row("Stop after", "Passes to render, one sample per pixel each." + restarts);
+  row("Stop after", "Passes to render, one sample per pixel each." + no_limit);
   if (number("##passes", passes, 0, 1 << 24, passes == 0 ? kNoLimit : "passes")) {
     targets.passes = static_cast<uint32_t>(passes);
     changed = true;
   }
   int seconds = static_cast<int>(targets.seconds);
-  row("or after", "Seconds of rendering, pauses excluded." + restarts);
+  row("or after", "Seconds of rendering, pauses excluded." + no_limit);
   if (number("##seconds", seconds, 0, 1 << 24, seconds == 0 ? kNoLimit : "s")) {
     targets.seconds = seconds;
     changed = true;
   }
   auto percent = static_cast<float>(100 * targets.relative_error);
-  row("or at error", "Estimated relative error of a pixel, mean over the picture." + restarts);
+  row("or at error", "Estimated relative error of a pixel, mean over the picture." + no_limit);
   if (number("##error", percent, 0, 100, percent == 0 ? "% (no limit)" : "%")) {
     targets.relative_error = percent / 100;
     changed = true;
@@ -97,9 +97,16 @@ bool edit_targets(RenderTargets& targets) {
   return changed;
 }
 
+void edit_autosave(int& minutes) {
+  row("Autosave",
+      "Minutes between checkpoints that are saved while rendering, beside the pictures. 0: never.");
+  number("##autosave", minutes, 0, 24 * 60, minutes == 0 ? "(never)" : "min");
+}
+
 }  // namespace
 
-void draw_render_panel(Document& document, bool region_tool_active, const Perform& perform) {
+void draw_render_panel(Document& document, bool region_tool_active, int& autosave_minutes,
+                       const Perform& perform) {
   if (!document.has_scene() || !section("Render")) return;
   draw_commands(document, region_tool_active, perform);
   RenderSettings settings = document.settings();
@@ -108,6 +115,7 @@ void draw_render_panel(Document& document, bool region_tool_active, const Perfor
   changed |= edit_seed(settings);
   changed |= edit_targets(settings.targets);
   if (changed) document.set_settings(settings);
+  edit_autosave(autosave_minutes);
 }
 
 }  // namespace guidelight

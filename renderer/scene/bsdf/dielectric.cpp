@@ -1,54 +1,24 @@
-#include "renderer/scene/bsdf/factories.h"
-#include "renderer/scene/bsdf/fresnel.h"
+#include "renderer/scene/bsdf/clear_interface.h"
 #include "renderer/scene/bsdf/microfacet.h"
 
 namespace guidelight {
 namespace {
 
-/// A clear interface: mirror and refraction, chosen by Fresnel's reflectance.
-class SmoothDielectric final : public Bsdf {
+/// Mirror and refraction, as much of each as Fresnel says.
+class SmoothDielectric final : public ClearInterface {
  public:
   SmoothDielectric(float eta, ColorTexture reflectance, ColorTexture transmittance)
-      : eta_(eta), reflectance_(std::move(reflectance)), transmittance_(std::move(transmittance)) {}
+      : ClearInterface(std::move(reflectance), std::move(transmittance)), eta_(eta) {}
 
-  Color eval(const SurfacePoint&, Vec3, Vec3) const override { return Color(0.0f); }
-  float pdf(const SurfacePoint&, Vec3, Vec3) const override { return 0; }
-
-  std::optional<BsdfSample> sample(const SurfacePoint& point, Vec3 wo, float u_lobe,
-                                   Vec2) const override {
-    const DielectricFresnel fresnel = fresnel_dielectric(wo.z, eta_);
-    if (u_lobe < fresnel.reflectance) {
-      return BsdfSample{reflect(wo), reflectance_.eval(point), fresnel.reflectance, 1.0f,
-                        kLobeDeltaReflection};
-    }
-    return BsdfSample{refract(wo, fresnel), transmittance_.eval(point), 1 - fresnel.reflectance,
-                      fresnel.eta, kLobeDeltaTransmission};
-  }
-
-  std::optional<SpecularEvent> specular(const SurfacePoint& point, Vec3 wo,
-                                        Lobe lobe) const override {
-    const DielectricFresnel fresnel = fresnel_dielectric(wo.z, eta_);
-    const float reflected = fresnel.reflectance;
-    if (lobe == kLobeDeltaReflection && reflected > 0) {
-      return SpecularEvent{reflect(wo), reflected * reflectance_.eval(point), reflected};
-    }
-    if (lobe == kLobeDeltaTransmission && reflected < 1) {
-      return SpecularEvent{refract(wo, fresnel), (1 - reflected) * transmittance_.eval(point),
-                           1 - reflected, fresnel.eta};
-    }
-    return std::nullopt;
-  }
-
-  int lobes() const override { return kLobeDelta; }
   float eta() const override { return eta_; }
-  Color albedo(const SurfacePoint& point) const override {
-    return glm::max(reflectance_.eval(point), transmittance_.eval(point));
-  }
 
  private:
+  Split split(Vec3 wo) const override {
+    const DielectricFresnel fresnel = fresnel_dielectric(wo.z, eta_);
+    return {fresnel.reflectance, refract(wo, fresnel), fresnel.eta};
+  }
+
   float eta_;
-  ColorTexture reflectance_;
-  ColorTexture transmittance_;
 };
 
 /// Rough interface of Walter et al. 2007. In the flux form f(wo, wi)/η_wi² is symmetric, where η_wi

@@ -11,13 +11,6 @@ inline float specular_sampling_weight(const ColorTexture& diffuse, const ColorTe
   return d + s > 0 ? s / (d + s) : 1.0f;
 }
 
-/// Models whose lobes add up are dimmed where they would reflect more than they receive; by as much
-/// as Mitsuba dims them, so that its scenes look the same.
-inline float energy_scale(const ColorTexture& diffuse, const ColorTexture& specular) {
-  const float sum = max_component(diffuse.mean() + specular.mean());
-  return sum > 1 ? 0.99f / sum : 1.0f;
-}
-
 /// Finishes a sample whose direction came from one of several finite lobes that cover each other:
 /// its density and weight are those of all of them together.
 inline std::optional<BsdfSample> sample_of_all_lobes(const Bsdf& bsdf, const SurfacePoint& point,

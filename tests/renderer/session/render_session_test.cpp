@@ -208,5 +208,104 @@ TEST(RenderSession, resumes_to_the_picture_of_an_uninterrupted_render) {
               ::testing::Pointwise(::testing::FloatEq(), whole->layer(Layer::Beauty).data()));
 }
 
+TEST(RenderSession, targets_are_replaced_without_a_restart) {
+  RenderSession session;
+  const uint64_t number = session.start(room_job(32));
+  ASSERT_TRUE(eventually([&] { return session.snapshot()->passes >= 2; }));
+  session.set_targets({.passes = 1});
+  session.wait();
+  const auto finished = session.snapshot();
+  EXPECT_EQ(finished->state, SessionState::Finished);
+  EXPECT_EQ(finished->job, number);
+  EXPECT_GE(finished->passes, 2u);
+
+  // A higher target: it goes on, and the time it rested does not count.
+  std::this_thread::sleep_for(300ms);
+  session.set_targets({.passes = finished->passes + 3});
+  session.wait();
+  const auto later = session.snapshot();
+  EXPECT_EQ(later->state, SessionState::Finished);
+  EXPECT_EQ(later->job, number);
+  EXPECT_EQ(later->passes, finished->passes + 3);
+  EXPECT_LT(later->seconds, finished->seconds + 0.3);
+
+  // Reached already: it stays as it is.
+  session.set_targets({.passes = 1});
+  session.wait();
+  EXPECT_EQ(session.snapshot()->passes, later->passes);
+}
+
+TEST(RenderSession, targets_of_a_job_that_has_not_begun_are_replaced) {
+  RenderSession session;
+  session.start(room_job(512));
+  session.start(room_job(16));
+  session.set_targets({.passes = 2});
+  session.wait();
+  EXPECT_EQ(session.snapshot()->passes, 2u);
+}
+
+/// The progress, as it was when it was saved.
+struct Saved {
+  std::atomic<uint32_t> passes{0};
+  std::vector<double> state;
+
+  SaveProgress function() {
+    return [this](const RenderProgress& progress) {
+      state = progress.film->state();
+      passes = progress.next_pass;
+    };
+  }
+};
+
+TEST(RenderSession, saves_on_request_after_the_pass) {
+  RenderSession session;
+  RenderJob job = room_job(32);
+  session.start(job);
+  ASSERT_TRUE(eventually([&] { return session.snapshot()->passes >= 2; }));
+  Saved saved;
+  session.save(saved.function());
+  ASSERT_TRUE(eventually([&] { return saved.passes > 0; }));
+
+  session.set_targets({.passes = 1});
+  session.wait();
+  job.targets.passes = saved.passes;
+  session.start(job);
+  session.wait();
+  Saved whole;
+  session.save(whole.function());  // of a job that rests
+  ASSERT_TRUE(eventually([&] { return whole.passes > 0; }));
+  EXPECT_EQ(whole.passes, saved.passes);
+  EXPECT_EQ(whole.state, saved.state);
+  EXPECT_EQ(session.snapshot()->state, SessionState::Finished);
+}
+
+TEST(RenderSession, saves_while_paused_and_stays_paused) {
+  RenderSession session;
+  session.start(room_job(64));
+  ASSERT_TRUE(eventually([&] { return session.snapshot()->passes >= 1; }));
+  session.pause();
+  Saved saved;
+  session.save(saved.function());
+  ASSERT_TRUE(eventually([&] { return saved.passes > 0; }));
+  std::this_thread::sleep_for(50ms);
+  Saved again;
+  session.save(again.function());
+  ASSERT_TRUE(eventually([&] { return again.passes > 0; }));
+  EXPECT_EQ(again.passes, saved.passes + 1) << "it rested meanwhile";
+  EXPECT_EQ(session.snapshot()->state, SessionState::Paused);
+}
+
+TEST(RenderSession, saves_the_part_of_a_pass_that_is_given_up) {
+  Saved saved;
+  {
+    RenderSession session;
+    session.start(room_job(1024));
+    std::this_thread::sleep_for(100ms);
+    session.save(saved.function());
+  }  // in the middle of a pass that takes longer
+  EXPECT_GT(saved.passes, 0u);
+  EXPECT_FALSE(saved.state.empty());
+}
+
 }  // namespace
 }  // namespace guidelight

@@ -1,4 +1,4 @@
-#include "ui/panels/open_dialog.h"
+#include "ui/panels/file_dialog.h"
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kTitle = "Open scene";
+constexpr const char* kCheckpointExtension = ".checkpoint";
 
 bool pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
 
@@ -25,22 +25,55 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-}  // namespace
-
 bool looks_like_scene(const fs::path& path) {
   const std::string extension = lower_case(path.extension().string());
   return extension == ".xml" || extension == ".gltf" || extension == ".glb";
 }
 
-void OpenDialog::open(const std::string& folder) {
+bool looks_like_checkpoint(const fs::path& path) {
+  return lower_case(path.extension().string()) == kCheckpointExtension;
+}
+
+}  // namespace
+
+FileRequest open_scene_request() {
+  return {.title = "Open scene",
+          .verb = "Open",
+          .hint = "Mitsuba XML or glTF 2.0. Arrow keys choose, Enter opens.",
+          .none = "No scenes in this folder",
+          .shows = looks_like_scene};
+}
+
+FileRequest save_checkpoint_request() {
+  return {.title = "Save checkpoint",
+          .verb = "Save",
+          .hint = "The progress of the render, to go on with it later. Enter saves.",
+          .none = "No checkpoints in this folder",
+          .shows = looks_like_checkpoint,
+          .new_extension = kCheckpointExtension};
+}
+
+FileRequest resume_checkpoint_request() {
+  return {.title = "Resume checkpoint",
+          .verb = "Resume",
+          .hint = "Opens the scene if need be. Arrow keys choose, Enter resumes.",
+          .none = "No checkpoints in this folder",
+          .shows = looks_like_checkpoint};
+}
+
+void FileDialog::open(FileRequest request, const std::string& start) {
+  request_ = std::move(request);
   open_ = true;
   focus_path_ = true;
   chosen_.clear();
+  to_replace_.clear();
   std::error_code ignored;
-  enter(folder.empty() ? fs::current_path(ignored) : fs::path(folder));
+  const fs::path path = start.empty() ? fs::current_path(ignored) : fs::path(start);
+  enter(writes() ? path.parent_path() : path);
+  if (writes()) typed_ = path.string();
 }
 
-void OpenDialog::enter(const fs::path& folder) {
+void FileDialog::enter(const fs::path& folder) {
   std::error_code failure;
   std::vector<Entry> entries;
   for (auto entry = fs::directory_iterator(folder, failure); !failure && entry != fs::end(entry);
@@ -48,7 +81,7 @@ void OpenDialog::enter(const fs::path& folder) {
     std::error_code ignored;
     const std::string name = entry->path().filename().string();
     const bool is_folder = entry->is_directory(ignored);
-    if (name.starts_with(".") || (!is_folder && !looks_like_scene(name))) continue;
+    if (name.starts_with(".") || (!is_folder && !request_.shows(name))) continue;
     entries.push_back({name, is_folder});
   }
   if (failure) {
@@ -67,11 +100,13 @@ void OpenDialog::enter(const fs::path& folder) {
   problem_.clear();
 }
 
-void OpenDialog::accept(const fs::path& named) {
+void FileDialog::accept(const fs::path& named) {
   const fs::path path = (folder_ / named).lexically_normal();  // `named` itself, if it is absolute
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) {
     enter(path);
+  } else if (writes()) {
+    accept_for_writing(path);
   } else if (fs::exists(path, ignored)) {
     chosen_ = path.string();
   } else {
@@ -79,15 +114,27 @@ void OpenDialog::accept(const fs::path& named) {
   }
 }
 
-void OpenDialog::draw(const RecentFiles& recent,
-                      const std::function<void(const std::string&)>& chosen) {
+void FileDialog::accept_for_writing(fs::path path) {
+  if (!path.has_extension()) path += request_.new_extension;
+  std::error_code ignored;
+  if (!fs::is_directory(path.parent_path(), ignored)) {
+    problem_ = "There is no folder " + path.parent_path().string();
+  } else if (fs::exists(path, ignored) && to_replace_ != path) {
+    to_replace_ = path.string();
+    problem_ = "There is a file of this name: once more to replace it";
+  } else {
+    chosen_ = path.string();
+  }
+}
+
+void FileDialog::draw(const RecentFiles& recent) {
   if (!open_) return;
-  if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+  if (!ImGui::IsPopupOpen(request_.title)) ImGui::OpenPopup(request_.title);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize(
       {std::min(scaled(880), screen.x * 0.94f), std::min(scaled(560), screen.y * 0.9f)});
-  if (!ImGui::BeginPopupModal(kTitle, &open_,
+  if (!ImGui::BeginPopupModal(request_.title, &open_,
                               ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
     open_ = false;
     return;
@@ -108,17 +155,20 @@ void OpenDialog::draw(const RecentFiles& recent,
   if (!chosen_.empty()) open_ = false;
   if (!open_) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
-  if (!chosen_.empty()) chosen(std::exchange(chosen_, {}));
+  if (!chosen_.empty()) request_.chosen(std::exchange(chosen_, {}));
 }
 
-void OpenDialog::draw_places(const RecentFiles& recent) {
+void FileDialog::draw_places(const RecentFiles& recent) {
   dim_text("Places");
   const char* home = std::getenv("HOME");
   if (home && ImGui::Selectable("Home")) enter(home);
   std::error_code failure;
   const fs::path current = fs::current_path(failure);
   if (!failure && ImGui::Selectable("Current folder")) enter(current);
-  if (recent.paths().empty()) return;
+  if (!recent.paths().empty() && request_.shows(recent.paths().front())) draw_recent(recent);
+}
+
+void FileDialog::draw_recent(const RecentFiles& recent) {
   ImGui::Dummy({0, scaled(6)});
   dim_text("Recent");
   for (const std::string& path : recent.paths()) {
@@ -130,7 +180,7 @@ void OpenDialog::draw_places(const RecentFiles& recent) {
   }
 }
 
-void OpenDialog::draw_entries() {
+void FileDialog::draw_entries() {
   if (folder_.has_parent_path() && folder_ != folder_.root_path()) {
     if (ImGui::Selectable("../", false, ImGuiSelectableFlags_DontClosePopups)) {
       std::error_code ignored;
@@ -156,26 +206,26 @@ void OpenDialog::draw_entries() {
     }
     typed_ = path.string();
   }
-  if (entries_.empty()) dim_text("No scenes in this folder");
+  if (entries_.empty()) dim_text(request_.none);
 }
 
-void OpenDialog::draw_path_field() {
+void FileDialog::draw_path_field() {
   const float button = scaled(96);
   ImGui::SetNextItemWidth(-2 * (button + ImGui::GetStyle().ItemSpacing.x));
   if (std::exchange(focus_path_, false)) ImGui::SetKeyboardFocusHere();
   const bool entered = ImGui::InputText(
       "##path", &typed_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackHistory,
-      &OpenDialog::choose_with_arrow, this);
+      &FileDialog::choose_with_arrow, this);
   ImGui::SameLine();
-  const bool open_pressed = ImGui::Button("Open", {button, 0});
+  const bool pressed_button = ImGui::Button(request_.verb, {button, 0});
   ImGui::SameLine();
   if (ImGui::Button("Cancel", {button, 0})) open_ = false;
-  if (entered || open_pressed) {
+  if (entered || pressed_button) {
     accept(typed_);
     focus_path_ = true;
   }
   if (problem_.empty()) {
-    dim_text("Mitsuba XML or glTF 2.0. Arrow keys choose, Enter opens.");
+    dim_text(request_.hint);
   } else {
     ImGui::PushStyleColor(ImGuiCol_Text, palette::kError);
     ImGui::TextUnformatted(shortened(problem_, ImGui::GetContentRegionAvail().x).c_str());
@@ -184,8 +234,8 @@ void OpenDialog::draw_path_field() {
 }
 
 /// ImGui calls this for the arrow keys; a text field that is being edited takes new text only here.
-int OpenDialog::choose_with_arrow(ImGuiInputTextCallbackData* data) {
-  OpenDialog& dialog = *static_cast<OpenDialog*>(data->UserData);
+int FileDialog::choose_with_arrow(ImGuiInputTextCallbackData* data) {
+  FileDialog& dialog = *static_cast<FileDialog*>(data->UserData);
   dialog.move_selection(data->EventKey == ImGuiKey_UpArrow ? -1 : 1);
   if (dialog.selected_ < 0) return 0;
   const fs::path chosen = dialog.folder_ / dialog.entries_[dialog.selected_].name;
@@ -194,7 +244,7 @@ int OpenDialog::choose_with_arrow(ImGuiInputTextCallbackData* data) {
   return 0;
 }
 
-void OpenDialog::move_selection(int step) {
+void FileDialog::move_selection(int step) {
   if (entries_.empty()) return;
   selected_ = std::clamp(selected_ + step, 0, static_cast<int>(entries_.size()) - 1);
   scroll_to_selection_ = true;

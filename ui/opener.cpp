@@ -1,0 +1,118 @@
+#include "ui/opener.h"
+
+#include <exception>
+#include <utility>
+
+#include "renderer/error.h"
+
+namespace guidelight {
+namespace {
+
+/// A file that Guidelight may have saved, with the session in its metadata.
+bool looks_like_picture(const std::string& path) {
+  return path.ends_with(".png") || path.ends_with(".exr");
+}
+
+}  // namespace
+
+Opener::Opener(Document& document, std::shared_ptr<UiQueue> queue,
+               std::function<void()> scene_opened)
+    : document_(document),
+      queue_(std::move(queue)),
+      scene_opened_(std::move(scene_opened)),
+      loader_(
+          queue_, [this](OpenedScene opened) { take_scene(std::move(opened)); },
+          [this](const std::string& reason) {
+            session_.reset();
+            document_.messages().error(reason);
+          }) {}
+
+void Opener::open(const std::string& path, const std::map<std::string, std::string>& defines) {
+  if (looks_like_picture(path)) {
+    open_picture(path);
+  } else if (is_checkpoint(path)) {
+    resume(path);
+  } else {
+    begin_request();
+    loader_.load(path, defines);
+  }
+}
+
+/// Drops what was asked for before.
+uint64_t Opener::begin_request() {
+  loader_.forget();
+  session_.reset();
+  reading_.clear();
+  return ++newest_request_;
+}
+
+void Opener::reload() {
+  if (document_.has_scene()) open(document_.opened().path, document_.opened().defines);
+}
+
+void Opener::open_picture(const std::string& path) {
+  try {
+    begin_request();
+    open_session(path, read_metadata(path), {});
+  } catch (const std::exception& error) {
+    document_.messages().error(error.what());
+  }
+}
+
+void Opener::resume(const std::string& path) {
+  const uint64_t request = begin_request();
+  reading_ = path;
+  reader_.run([this, path, request] {
+    // `this` is only used on the UI thread, which drops what is posted once the opener is gone.
+    const auto finish = [&](std::function<void()> deliver) {
+      queue_->post([this, request, deliver = std::move(deliver)] {
+        if (request != newest_request_) return;
+        reading_.clear();
+        deliver();
+      });
+    };
+    try {
+      finish([this, path, checkpoint = read_checkpoint(path)] {
+        open_session(path, describe_checkpoint(checkpoint), checkpoint);
+      });
+    } catch (const std::exception& error) {
+      finish([this, text = std::string(error.what())] { document_.messages().error(text); });
+    }
+  });
+}
+
+void Opener::open_session(const std::string& path, const Metadata& metadata,
+                          std::optional<Checkpoint> checkpoint) {
+  const auto settings = session_of(metadata);
+  if (!settings) {
+    document_.messages().error(
+        path + " carries no session: choose a picture or a checkpoint that Guidelight saved");
+    return;
+  }
+  Session session{*settings, std::move(checkpoint), path};
+  const OpenedScene& opened = document_.opened();
+  if (document_.has_scene() && opened.path == settings->scene_path &&
+      opened.defines == settings->defines) {
+    restore(std::move(session));
+  } else {
+    session_ = std::move(session);
+    loader_.load(settings->scene_path, settings->defines);
+  }
+}
+
+void Opener::take_scene(OpenedScene opened) {
+  document_.open(std::move(opened));
+  scene_opened_();
+  if (session_) restore(*std::exchange(session_, {}));
+}
+
+void Opener::restore(Session session) {
+  try {
+    restore_session(session.settings, document_);
+    if (session.checkpoint) document_.resume(*std::move(session.checkpoint), session.path);
+  } catch (const std::exception& error) {
+    document_.messages().error(error.what());
+  }
+}
+
+}  // namespace guidelight
