@@ -27,8 +27,8 @@ class PixelHistory;
 /// What a pass needs besides the scene.
 struct PassContext {
   uint64_t seed = 0;
-  Parallel* parallel = nullptr;       // runs the loops, and says when to stop
-  std::optional<PixelRegion> region;  // only these pixels are rendered
+  Parallel* parallel = nullptr;            // runs the loops, and says when to stop
+  std::optional<PixelRegion> region = {};  // only these pixels are rendered
   /// Progressive photon mapping writes the history of the pixels that somebody looks at; may be
   /// null.
   PixelHistory* history = nullptr;
