@@ -38,17 +38,20 @@ IrradianceRecord Hemisphere::record() const {
 }
 
 void Hemisphere::add_rotational(IrradianceRecord& record) const {
-  // Ward & Heckbert 1992, (3), with the sign that belongs to a turn around n_i × n.
-  const float per_stratum = kPi / static_cast<float>(samples_.size());
+  // Ward & Heckbert 1992, (3), with the sign that belongs to a turn around n_i × n, and each
+  // stratum's ∫ sinθ dω = (π/sectors) [θ - sinθ cosθ] in place of its centre's tanθ.
+  const auto antiderivative = [&](int ring) {
+    const float sine = sin_theta(static_cast<float>(ring));
+    return std::asin(std::min(sine, 1.0f)) - sine * safe_sqrt(1 - sqr(sine));
+  };
   for (int sector = 0; sector < sectors_; ++sector) {
     Color sum(0.0f);
     for (int ring = 0; ring < rings_; ++ring) {
-      const float sine = sin_theta(static_cast<float>(ring) + 0.5f);
-      sum += at(ring, sector).radiance * (per_stratum * sine / std::sqrt(1 - sqr(sine)));
+      sum += at(ring, sector).radiance * (antiderivative(ring + 1) - antiderivative(ring));
     }
     const float angle = phi(static_cast<float>(sector) + 0.5f);
     const Vec3 axis = frame_.to_world({-std::sin(angle), std::cos(angle), 0});
-    for (int c = 0; c < 3; ++c) record.rotational[c] += sum[c] * axis;
+    for (int c = 0; c < 3; ++c) record.rotational[c] += sum[c] * 0.5f * phi(1) * axis;
   }
 }
 
