@@ -9,6 +9,7 @@
 #include "app/progress_bar.h"
 #include "app/render_arguments.h"
 #include "renderer/error.h"
+#include "renderer/image/technique_images.h"
 #include "renderer/session/checkpoints.h"
 #include "renderer/session/picture_export.h"
 
@@ -23,6 +24,7 @@ struct RenderCommand {
   RenderArguments render;
   std::vector<std::string> outputs;
   RenderTargets targets;
+  std::string techniques;
   std::string crop;
   std::string checkpoint;
   bool resume = false;
@@ -41,6 +43,8 @@ struct RenderCommand {
     passes->check(CLI::PositiveNumber)->excludes(seconds)->excludes(error);
     seconds->check(CLI::PositiveNumber)->excludes(error);
     error->check(CLI::PositiveNumber);
+    command.add_option("--techniques", techniques,
+                       "Write what each technique of bdpt or vcm brought to this .exr");
     command.add_option("--crop", crop, "Render only x0,y0,x1,y1 [pixels]");
     command.add_flag("--float", full_float, "Write 32-bit floats to .exr, not 16-bit");
     auto* save = command.add_option("--checkpoint", checkpoint, "Save the progress to this file");
@@ -80,6 +84,9 @@ RenderJob RenderCommand::make_job() const {
   if (resume && std::filesystem::exists(checkpoint)) {
     job.resume_from = resume_from(read_checkpoint(checkpoint), job, checkpoint);
   }
+  if (!techniques.empty()) {
+    job.techniques = std::make_shared<TechniqueImages>(film.width, film.height);
+  }
   if (!checkpoint.empty()) job.save = save_to(checkpoint, job);
   return job;
 }
@@ -114,6 +121,10 @@ void RenderCommand::run() const {
   for (const std::string& path : outputs) {
     export_picture(path, job, *snapshot, full_float);
     fmt::print("{}\n", path);
+  }
+  if (!techniques.empty()) {
+    export_techniques(techniques, job, *snapshot);
+    fmt::print("{}\n", techniques);
   }
 }
 

@@ -22,7 +22,9 @@ struct PixelRegion {
   bool operator==(const PixelRegion&) const = default;
 };
 
+class PhotonRequest;
 class PixelHistory;
+class TechniqueImages;
 
 /// What a pass needs besides the scene.
 struct PassContext {
@@ -32,6 +34,10 @@ struct PassContext {
   /// Progressive photon mapping writes the history of the pixels that somebody looks at; may be
   /// null.
   PixelHistory* history = nullptr;
+  /// Bidirectional methods keep their techniques apart in these; may be null.
+  TechniqueImages* techniques = nullptr;
+  /// Photon methods hand over the photons of the pass; may be null.
+  PhotonRequest* photons = nullptr;
 };
 
 /// An algorithm that renders a scene progressively. It is constructed from a scene and its own

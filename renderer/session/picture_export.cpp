@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "renderer/error.h"
+#include "renderer/image/technique_images.h"
 
 namespace guidelight {
 
@@ -93,6 +94,22 @@ void export_exr(const std::string& path, const RenderJob& job, const Snapshot& s
     picture.layers.emplace_back(layer_name(layer), crop(snapshot.layer(layer), job, snapshot));
   }
   write_exr(path, picture, half_precision);
+}
+
+void export_techniques(const std::string& path, const RenderJob& job, const Snapshot& snapshot) {
+  ImageLayers picture;
+  if (job.techniques) {
+    for (const auto& [technique, images] : job.techniques->develop()) {
+      picture.layers.emplace_back(technique.name() + ".weighted", images.weighted);
+      picture.layers.emplace_back(technique.name() + ".raw", images.raw);
+    }
+  }
+  if (picture.layers.empty()) {
+    throw Error("{}: the integrator '{}' does not combine techniques: choose bdpt or vcm", path,
+                job.integrator);
+  }
+  picture.metadata = describe_render(job, snapshot);
+  write_exr(path, picture);
 }
 
 void export_png(const std::string& path, const RenderJob& job, const Snapshot& snapshot,

@@ -24,6 +24,10 @@ void export_exr(const std::string& path, const RenderJob& job, const Snapshot& s
 void export_png(const std::string& path, const RenderJob& job, const Snapshot& snapshot,
                 const DisplaySettings& display, Layer layer = Layer::Beauty);
 
+/// Writes the job's techniques as layers, weighted and raw: "connection_s2_t3.weighted" … Throws
+/// Error, also if the method has no techniques to keep apart.
+void export_techniques(const std::string& path, const RenderJob& job, const Snapshot& snapshot);
+
 /// By the ending of `path`, .exr or .png. Throws Error for any other.
 void export_picture(const std::string& path, const RenderJob& job, const Snapshot& snapshot,
                     bool full_float = false);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "renderer/error.h"
+#include "renderer/image/technique_images.h"
 #include "renderer/session/stopwatch.h"
 
 namespace guidelight {
@@ -38,8 +39,14 @@ class ProgressiveRender {
     auto film = std::make_shared<Film>(camera.width(), camera.height(), camera.film().filter);
     const uint32_t first_pass = resume(*film);
     const auto integrator = info_.create(job_.scene, *settings_);
-    const PassContext context{job_.seed, &parallel_, job_.region};
+    PassContext context{.seed = job_.seed,
+                        .parallel = &parallel_,
+                        .region = job_.region,
+                        .techniques = job_.techniques.get()};
     for (uint32_t pass = first_pass;; ++pass) {
+      const size_t photons_wanted = observer_.photons_wanted();
+      PhotonRequest photons(photons_wanted);
+      context.photons = photons_wanted > 0 ? &photons : nullptr;
       try {
         integrator->render_pass(pass, *film, context);
       } catch (const Stopped&) {
@@ -53,6 +60,9 @@ class ProgressiveRender {
         throw;
       }
       film->finish_pass();
+      if (job_.techniques) job_.techniques->finish_pass();
+      status_.photons =
+          context.photons ? std::make_shared<PhotonCloud>(std::move(photons.cloud())) : nullptr;
       status_.passes = pass + 1;
       const bool finished = target_reached(*film);
       if (finished || pass == first_pass || publishing_is_due()) {

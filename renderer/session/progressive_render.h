@@ -19,6 +19,8 @@ class RenderObserver {
   virtual RenderTargets targets() const = 0;
   /// Who has asked for the progress since this was called last.
   virtual std::vector<SaveProgress> take_save_requests() = 0;
+  /// How many photons should be handed over with each picture; 0 for none.
+  virtual size_t photons_wanted() const = 0;
   /// Waits for other targets or for somebody who wants the progress. Throws Stopped.
   virtual void rest() = 0;
 };

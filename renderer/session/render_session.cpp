@@ -1,5 +1,6 @@
 #include "renderer/session/render_session.h"
 
+#include <atomic>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
@@ -45,6 +46,8 @@ class RenderSession::Impl : private RenderObserver {
     (next_ ? next_->targets : targets_) = targets;
     interrupt_rest();
   }
+
+  void request_photons(size_t cap) { photons_wanted_ = cap; }
 
   void save(SaveProgress save) {
     const std::lock_guard lock(mutex_);
@@ -141,6 +144,8 @@ class RenderSession::Impl : private RenderObserver {
     return targets_;
   }
 
+  size_t photons_wanted() const override { return photons_wanted_; }
+
   std::vector<SaveProgress> take_save_requests() override {
     const std::lock_guard lock(mutex_);
     std::vector<SaveProgress> taken;
@@ -194,6 +199,7 @@ class RenderSession::Impl : private RenderObserver {
   const std::function<void()> published_;
   mutable std::mutex mutex_;
   mutable std::condition_variable changed_;
+  std::atomic<size_t> photons_wanted_ = 0;
   bool quit_ = false;
   bool paused_ = false;
   bool picture_shown_ = false;  // of the current job, at full size
@@ -224,6 +230,7 @@ void RenderSession::pause() { impl_->set_paused(true); }
 void RenderSession::resume() { impl_->set_paused(false); }
 void RenderSession::stop() { impl_->stop(); }
 void RenderSession::set_targets(const RenderTargets& targets) { impl_->set_targets(targets); }
+void RenderSession::request_photons(size_t cap) { impl_->request_photons(cap); }
 void RenderSession::save(SaveProgress save) { impl_->save(std::move(save)); }
 std::shared_ptr<const Snapshot> RenderSession::snapshot() const { return impl_->snapshot(); }
 void RenderSession::wait() const { impl_->wait(); }

@@ -36,6 +36,9 @@ struct RenderJob {
   Priority priority = Priority::Background;
   RenderTargets targets;
   std::optional<PixelRegion> region;
+  /// Bidirectional methods keep their techniques apart in these, of the scene's size. May be read
+  /// when the job has finished.
+  std::shared_ptr<TechniqueImages> techniques;
   /// Show pictures of 1/8, 1/4, 1/2 of the size first, so that something is there at once.
   bool coarse_first = false;
   /// Goes on from here instead of from nothing; the film must have the scene's size.
@@ -69,6 +72,9 @@ class RenderSession {
   void stop();
   /// Replaces the targets of the job that was started last; one that had reached its own goes on.
   void set_targets(const RenderTargets& targets);
+  /// From now on pictures come with photons of their last pass, at most `cap` of them; 0 for none,
+  /// which costs nothing.
+  void request_photons(size_t cap);
   /// Hands over the progress of the job that was started last, on the render thread, as soon as its
   /// pass is done or given up. If it is paused it goes on until then. Nothing is saved if the job
   /// fails, or is replaced before it has begun.

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "renderer/image/film.h"
+#include "renderer/photons/photon_cloud.h"
 
 namespace guidelight {
 
@@ -28,6 +29,9 @@ struct Snapshot {
   float progress = 0;             // towards the nearest target, 0..1; 0 without targets
   std::string error;              // why it failed, if it did
   std::shared_ptr<const Layers> layers = std::make_shared<const Layers>();
+
+  /// The photons of a recent pass; null unless asked for, and for methods without photons.
+  std::shared_ptr<const PhotonCloud> photons;
 
   bool has_picture() const { return !layer(Layer::Beauty).empty(); }
   const Image& layer(Layer which) const { return (*layers)[static_cast<size_t>(which)]; }

@@ -6,6 +6,7 @@
 #include "renderer/integrators/bidirectional/camera_stage.h"
 #include "renderer/integrators/bidirectional/light_stage.h"
 #include "renderer/parallel/object_pool.h"
+#include "renderer/photons/photon_cloud.h"
 
 namespace guidelight {
 
@@ -25,7 +26,8 @@ class Bidirectional : public Integrator {
     const size_t pixels = static_cast<size_t>(film.width()) * film.height();
     if (settings_.light_tracing) film.prepare_splats();
     if (!statistics_) statistics_ = examine_light_paths(context);
-    const PassSetup setup(*scene_, settings_, pass, context.seed, pixels, *statistics_);
+    PassSetup setup(*scene_, settings_, pass, context.seed, pixels, *statistics_);
+    setup.techniques = context.techniques;
     if (settings_.merges() && settings_.lean) {
       render_lean(setup, film, context);
     } else if (settings_.merges() || settings_.connects_to_random_vertices()) {
@@ -140,6 +142,9 @@ class Bidirectional : public Integrator {
     photons_.clear();
     for (const auto& batch : tile_photons_) {
       photons_.insert(photons_.end(), batch.begin(), batch.end());
+    }
+    if (context.photons) {
+      context.photons->collect(static_cast<double>(setup.light_path_count), photons_);
     }
     if (settings_.merges_nearest()) {
       tree_ = KdTree<Photon>(photons_, *context.parallel);

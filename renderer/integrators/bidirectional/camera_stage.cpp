@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "renderer/image/technique_images.h"
+
 namespace guidelight {
 
 VertexCache::VertexCache(const std::vector<StoredVertices>& batches) : batches_(batches) {
@@ -24,9 +26,21 @@ void CameraStage::PathState::extend(const Subpath& path) {
   if (path.length == 1) first_is_finite = true;
 }
 
-void CameraStage::PathState::add(int length, Color contribution, bool is_caustic) {
-  (length <= 2 ? sample.direct : sample.indirect) += contribution;
-  if (is_caustic) sample.caustic += contribution;
+void CameraStage::add(uint32_t index, int s, int t, Color contribution, float weight,
+                      bool is_caustic, bool is_merging) {
+  FilmSample& sample = states_[index].sample;
+  const Color weighted = contribution * weight;
+  // A merged path has one vertex that belongs to both sides.
+  const int length = is_merging ? s + t - 2 : s + t - 1;
+  (length <= 2 ? sample.direct : sample.indirect) += weighted;
+  if (is_caustic) sample.caustic += weighted;
+  if (is_merging) sample.merging += weighted;
+  if (setup_.techniques) {
+    const int width = tile_.x1 - tile_.x0;
+    const auto i = static_cast<int>(index);
+    setup_.techniques->add({s, t, is_merging}, tile_.x0 + i % width, tile_.y0 + i / width,
+                           sample.filter_weight * weighted, sample.filter_weight * contribution);
+  }
 }
 
 CameraStage::CameraStage(const PassSetup& setup)
@@ -34,6 +48,7 @@ CameraStage::CameraStage(const PassSetup& setup)
 
 void CameraStage::render(const PixelRegion& tile, const LightSide& light, Film& film) {
   light_ = light;
+  tile_ = tile;
   start(tile, film.filter());
   walk_.run(paths_, *this);
   size_t i = 0;
@@ -71,7 +86,7 @@ void CameraStage::escaped(uint32_t index, Subpath& path) {
           end_at_infinity(setup_.scene, path, *light, state.is_direct_caustic());
       weight = path_weight(setup_.weights, end, state.eta);
     }
-    state.add(length, path.throughput * radiance * weight, state.is_caustic());
+    add(index, 0, length + 1, path.throughput * radiance, weight, state.is_caustic());
   }
 }
 
@@ -82,7 +97,7 @@ bool CameraStage::visit(uint32_t index, Subpath& path, const PathVertex& vertex,
   state.extend(path);
   state.distance += vertex.hit.t;
   if (length == 1) record_first_hit(state.sample, vertex.point, vertex.hit.t);
-  if (vertex.point.light && setup_.is_shown(length)) add_emission(state, path, vertex);
+  if (vertex.point.light && setup_.is_shown(length)) add_emission(index, path, vertex);
   if (length >= setup_.max_length) return false;
   if (!scattering.is_connectible()) return true;
 
@@ -96,13 +111,13 @@ bool CameraStage::visit(uint32_t index, Subpath& path, const PathVertex& vertex,
   }
   if (light_.own) connect_own_path(index, vertex, scattering);
   if (light_.cache) connect_random_vertices(index, path, vertex, scattering);
-  if (light_.photons) merge_within_radius(state, vertex, scattering);
-  if (light_.nearest) merge_nearest(state, vertex, scattering);
+  if (light_.photons) merge_within_radius(index, vertex, scattering);
+  if (light_.nearest) merge_nearest(index, vertex, scattering);
   return settings.kind != BidirectionalKind::ProbabilisticPpm;
 }
 
-void CameraStage::add_emission(PathState& state, const Subpath& path,
-                               const PathVertex& vertex) const {
+void CameraStage::add_emission(uint32_t index, const Subpath& path, const PathVertex& vertex) {
+  const PathState& state = states_[index];
   const Color radiance = vertex.point.light->radiance(vertex.point, vertex.wo);
   if (is_black(radiance)) return;
   float weight = 1;
@@ -110,7 +125,7 @@ void CameraStage::add_emission(PathState& state, const Subpath& path,
     const EmissionEnd end = end_on_light(setup_.scene, path, vertex, state.is_direct_caustic());
     weight = path_weight(setup_.weights, end, state.eta);
   }
-  state.add(vertex.length, vertex.throughput * radiance * weight, state.is_caustic());
+  add(index, 0, vertex.length + 1, vertex.throughput * radiance, weight, state.is_caustic());
 }
 
 void CameraStage::connect_light(uint32_t index, Subpath& path, const PathVertex& vertex,
@@ -120,7 +135,7 @@ void CameraStage::connect_light(uint32_t index, Subpath& path, const PathVertex&
       connect_to_light(setup_.scene, vertex, scattering, u_light, path.rng.next_vec2());
   if (!direct) return;
   const float weight = path_weight(setup_.weights, vertex, *direct, states_[index].eta);
-  queue(index, vertex.length + 1, direct->shadow_ray, direct->contribution * weight);
+  queue(direct->shadow_ray, {index, 1, vertex.length + 1, direct->contribution, weight});
 }
 
 void CameraStage::connect_own_path(uint32_t index, const PathVertex& vertex,
@@ -157,37 +172,38 @@ void CameraStage::connect(uint32_t index, const PathVertex& light, const PathVer
   const auto connection = connect_vertices(light, light_scattering, vertex, scattering);
   if (!connection) return;
   const float weight = path_weight(setup_.weights, light, vertex, *connection, states_[index].eta);
-  queue(index, length, connection->shadow_ray, connection->contribution * (weight * scale));
+  queue(connection->shadow_ray,
+        {index, light.length + 1, vertex.length + 1, connection->contribution * scale, weight});
 }
 
-void CameraStage::merge_within_radius(PathState& state, const PathVertex& vertex,
-                                      const Scattering& scattering) const {
-  if (!(state.radius > 0)) return;
-  const float kernel = kernel_value(Kernel::Constant, 0, sqr(state.radius));
-  light_.photons->for_each_within(
-      vertex.point.position, state.radius,
-      [&](const Photon& photon, float) { merge(state, vertex, scattering, photon, kernel); });
+void CameraStage::merge_within_radius(uint32_t index, const PathVertex& vertex,
+                                      const Scattering& scattering) {
+  const float radius = states_[index].radius;
+  if (!(radius > 0)) return;
+  const float kernel = kernel_value(Kernel::Constant, 0, sqr(radius));
+  light_.photons->for_each_within(vertex.point.position, radius, [&](const Photon& photon, float) {
+    merge(index, vertex, scattering, photon, kernel);
+  });
 }
 
-void CameraStage::merge_nearest(PathState& state, const PathVertex& vertex,
+void CameraStage::merge_nearest(uint32_t index, const PathVertex& vertex,
                                 const Scattering& scattering) {
   neighbors_.resize(setup_.settings.neighbors);
-  const Neighbors nearest =
-      light_.nearest->nearest(vertex.point.position, neighbors_.size(), state.radius, neighbors_);
+  const Neighbors nearest = light_.nearest->nearest(vertex.point.position, neighbors_.size(),
+                                                    states_[index].radius, neighbors_);
   const auto kernel = static_cast<Kernel>(setup_.settings.kernel);
   for (const Neighbor& neighbor : nearest.found) {
     const float value = kernel_value(kernel, neighbor.distance_squared, nearest.radius_squared);
     if (value > 0) {
-      merge(state, vertex, scattering, light_.nearest->items()[neighbor.index], value);
+      merge(index, vertex, scattering, light_.nearest->items()[neighbor.index], value);
     }
   }
 }
 
-void CameraStage::merge(PathState& state, const PathVertex& vertex, const Scattering& scattering,
-                        const Photon& photon, float kernel) const {
+void CameraStage::merge(uint32_t index, const PathVertex& vertex, const Scattering& scattering,
+                        const Photon& photon, float kernel) {
   const MisWeights& weights = setup_.weights;
-  const int length = photon.length() + vertex.length;
-  if (!setup_.is_shown(length)) return;
+  if (!setup_.is_shown(photon.length() + vertex.length)) return;
   if (photon.caustic() && vertex.length == 1 && !weights.counts().merge_direct) return;
   const Vec3 wi = photon.direction();
   const Color value = scattering.value(wi);
@@ -199,26 +215,27 @@ void CameraStage::merge(PathState& state, const PathVertex& vertex, const Scatte
                           .photon_length = photon.length(),
                           .pdf_to_light = scattering.pdf(wi) * vertex.survival,
                           .pdf_to_camera = scattering.pdf_reverse(wi) * vertex.survival},
-                         state.eta);
+                         states_[index].eta);
   }
   // Photons arrive through the true surface: their flux already contains its cosine.
   const float cosine = std::abs(glm::dot(wi, vertex.point.geometric_normal));
-  const float scale = weight * kernel / (cosine * static_cast<float>(setup_.light_path_count));
-  const Color contribution = vertex.throughput * value * photon.power() * scale;
-  state.add(length, contribution, photon.caustic() && vertex.is_specular_chain);
-  state.sample.merging += contribution;
+  const float scale = kernel / (cosine * static_cast<float>(setup_.light_path_count));
+  add(index, photon.length() + 1, vertex.length + 1,
+      vertex.throughput * value * photon.power() * scale, weight,
+      photon.caustic() && vertex.is_specular_chain, true);
 }
 
-void CameraStage::queue(uint32_t index, int length, const Ray& shadow_ray, Color contribution) {
+void CameraStage::queue(const Ray& shadow_ray, const PendingLight& light) {
   shadow_rays_.push_back(shadow_ray);
-  pending_.push_back({index, length, contribution});
+  pending_.push_back(light);
 }
 
 void CameraStage::end_segment() {
   blocked_.resize(shadow_rays_.size());
   setup_.scene.occluded(shadow_rays_, blocked_);
   for (size_t i = 0; i < pending_.size(); ++i) {
-    if (!blocked_[i]) states_[pending_[i].path].add(pending_[i].length, pending_[i].contribution);
+    const PendingLight& light = pending_[i];
+    if (!blocked_[i]) add(light.path, light.s, light.t, light.contribution, light.weight);
   }
   shadow_rays_.clear();
   pending_.clear();

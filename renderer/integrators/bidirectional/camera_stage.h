@@ -61,19 +61,20 @@ class CameraStage {
 
     /// Takes note of how the vertex before the segment scattered.
     void extend(const Subpath& path);
-    void add(int length, Color contribution, bool is_caustic = false);
     /// After one finite vertex, specular ones alone.
     bool is_caustic() const { return finite_vertices == 1 && is_specular_tail; }
     bool is_direct_caustic() const { return finite_vertices == 1 && first_is_finite; }
   };
   struct PendingLight {
     uint32_t path;
-    int length;
-    Color contribution;
+    int s;
+    int t;
+    Color contribution;  // without weight
+    float weight;
   };
 
   void start(const PixelRegion& tile, const Filter& filter);
-  void add_emission(PathState& state, const Subpath& path, const PathVertex& vertex) const;
+  void add_emission(uint32_t index, const Subpath& path, const PathVertex& vertex);
   void connect_light(uint32_t index, Subpath& path, const PathVertex& vertex,
                      const Scattering& scattering);
   void connect_own_path(uint32_t index, const PathVertex& vertex, const Scattering& scattering);
@@ -81,19 +82,22 @@ class CameraStage {
                                const Scattering& scattering);
   void connect(uint32_t index, const PathVertex& light, const PathVertex& vertex,
                const Scattering& scattering, float scale);
-  void merge_within_radius(PathState& state, const PathVertex& vertex,
-                           const Scattering& scattering) const;
-  void merge_nearest(PathState& state, const PathVertex& vertex, const Scattering& scattering);
+  void merge_within_radius(uint32_t index, const PathVertex& vertex, const Scattering& scattering);
+  void merge_nearest(uint32_t index, const PathVertex& vertex, const Scattering& scattering);
   /// `kernel`: value of the density estimate's kernel, per area.
-  void merge(PathState& state, const PathVertex& vertex, const Scattering& scattering,
-             const Photon& photon, float kernel) const;
-  void queue(uint32_t index, int length, const Ray& shadow_ray, Color contribution);
+  void merge(uint32_t index, const PathVertex& vertex, const Scattering& scattering,
+             const Photon& photon, float kernel);
+  void queue(const Ray& shadow_ray, const PendingLight& light);
+  /// Adds a visible contribution of technique (s,t), for a merge of light vertex s - 1.
+  void add(uint32_t index, int s, int t, Color contribution, float weight, bool is_caustic = false,
+           bool is_merging = false);
 
   const PassSetup& setup_;
   LightSide light_;
   RandomWalk walk_;
   std::vector<Subpath> paths_;
   std::vector<PathState> states_;
+  PixelRegion tile_;
   std::vector<Neighbor> neighbors_;  // room for a search
   std::vector<PendingLight> pending_;
   std::vector<Ray> shadow_rays_;

@@ -1,5 +1,7 @@
 #include "renderer/integrators/bidirectional/light_stage.h"
 
+#include "renderer/image/technique_images.h"
+
 namespace guidelight {
 
 namespace {
@@ -59,6 +61,7 @@ void LightStage::queue_splat(Subpath& path, const PathVertex& vertex,
   if (!lens) return;
   const float eta = setup_.radius.eta(setup_.radius.at(lens->distance));
   const float weight = path_weight(setup_.weights, vertex, *lens, eta);
+  if (setup_.techniques) unweighted_.push_back({lens->contribution, vertex.length + 1});
   shadow_rays_.push_back(lens->shadow_ray);
   filter_u_.push_back(path.rng.next_vec2());
   splats_.push_back({.raster = lens->raster,
@@ -67,10 +70,25 @@ void LightStage::queue_splat(Subpath& path, const PathVertex& vertex,
                      .caustic = vertex.is_caustic()});
 }
 
+void LightStage::record_techniques() {
+  if (!setup_.techniques) return;
+  // The film divides by the number of light paths, and so must these.
+  const float scale = static_cast<float>(film_->width()) * static_cast<float>(film_->height()) /
+                      static_cast<float>(setup_.light_path_count);
+  for (size_t i = 0; i < splats_.size(); ++i) {
+    if (blocked_[i]) continue;
+    const glm::ivec2 pixel(splats_[i].raster);
+    setup_.techniques->add({.s = unweighted_[i].s, .t = 1}, pixel.x, pixel.y,
+                           scale * splats_[i].contribution, scale * unweighted_[i].contribution);
+  }
+  unweighted_.clear();
+}
+
 void LightStage::end_segment() {
   if (splats_.empty()) return;
   blocked_.resize(shadow_rays_.size());
   setup_.scene.occluded(shadow_rays_, blocked_);
+  record_techniques();
   size_t visible = 0;
   for (size_t i = 0; i < splats_.size(); ++i) {
     if (blocked_[i]) continue;

@@ -31,6 +31,7 @@ class LightStage {
 
  private:
   void start(size_t first, size_t last);
+  void record_techniques();
   void queue_splat(Subpath& path, const PathVertex& vertex, const Scattering& scattering);
 
   const PassSetup& setup_;
@@ -45,6 +46,11 @@ class LightStage {
   std::vector<Splat> splats_;
   std::vector<Vec2> filter_u_;
   std::vector<Ray> shadow_rays_;
+  struct Unweighted {
+    Color contribution;
+    int s;
+  };
+  std::vector<Unweighted> unweighted_;  // of each splat, if techniques are kept apart
   std::vector<uint8_t> blocked_;
 };
 

@@ -48,6 +48,7 @@ struct PassSetup {
 
   const Scene& scene;
   const BidirectionalSettings& settings;
+  TechniqueImages* techniques = nullptr;  // if somebody wants to see them
   uint32_t pass;
   uint64_t seed;
   size_t light_path_count;

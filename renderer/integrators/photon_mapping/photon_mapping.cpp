@@ -3,6 +3,7 @@
 #include "renderer/error.h"
 #include "renderer/integrators/photon_mapping/emission_stage.h"
 #include "renderer/integrators/photon_mapping/gather_stage.h"
+#include "renderer/photons/photon_cloud.h"
 
 namespace guidelight {
 
@@ -20,6 +21,10 @@ class PhotonMapping : public Integrator {
   void render_pass(uint32_t pass, Film& film, const PassContext& context) override {
     const PhotonMappingPass setup(*scene_, settings_, pass, context.seed);
     PhotonMaps maps = make_maps(setup, *context.parallel);
+    if (context.photons) {
+      context.photons->collect(static_cast<double>(settings_.light_paths), maps.global.photons(),
+                               maps.caustic.photons());
+    }
     const GatheredLight light{
         .photons = &maps.global,
         .irradiance = settings_.precomputed_irradiance ? &maps.irradiance : nullptr,

@@ -10,6 +10,7 @@
 #include "renderer/integrators/progressive_photons/gather.h"
 #include "renderer/integrators/progressive_photons/measurement_points.h"
 #include "renderer/integrators/progressive_photons/settings.h"
+#include "renderer/photons/photon_cloud.h"
 #include "renderer/photons/photon_tracer.h"
 
 namespace guidelight {
@@ -65,6 +66,7 @@ class ProgressivePhotons : public Integrator {
     const LightPathRange paths{context.seed, pass, static_cast<size_t>(light_paths_),
                                max_length_ - 1};
     const std::vector<Photon>& photons = tracer_.trace(*scene_, paths, *context.parallel);
+    if (context.photons) context.photons->collect(light_paths_, photons);
     map_ = {HashGrid<Photon>(photons, 2 * typical_radius(film), *context.parallel),
             settings_.min_length, max_length_};
   }
