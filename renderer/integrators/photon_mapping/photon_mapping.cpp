@@ -22,8 +22,7 @@ class PhotonMapping : public Integrator {
     const PhotonMappingPass setup(*scene_, settings_, pass, context.seed);
     PhotonMaps maps = make_maps(setup, *context.parallel);
     if (context.photons) {
-      context.photons->collect(static_cast<double>(settings_.light_paths), maps.global.photons(),
-                               maps.caustic.photons());
+      context.photons->collect(1, maps.global.photons(), maps.caustic.photons());
     }
     const GatheredLight light{
         .photons = &maps.global,
