@@ -296,6 +296,23 @@ TEST(EveryIntegrator, sees_from_inside_glass) {
   }
 }
 
+TEST(Bidirectional, the_shortest_path_leaves_out_shorter_ones) {
+  const auto scene = testing::build(testing::room(16, 16));
+  for (const char* name : {"bdpt", "vcm", "bpm", "light"}) {
+    const std::pair<std::string, std::string> radius = {"scene_radius", "3"};
+    const bool merges = name == std::string("vcm") || name == std::string("bpm");
+    const auto mean_of = [&](const char* shortest, const char* longest) {
+      std::vector<std::pair<std::string, std::string>> values = {
+          {"min_length", shortest}, {"max_length", longest}, {"light_paths", "4"}};
+      if (merges) values.push_back(radius);
+      return mean(render_with(scene, name, values, 32));
+    };
+    const double all = mean_of("1", "5");
+    EXPECT_NEAR(mean_of("1", "2") + mean_of("3", "5"), all, 0.02 * all) << name;
+    EXPECT_EQ(mean_of("3", "2"), 0) << name;
+  }
+}
+
 TEST(Bidirectional, radius_zero_is_refused_where_nothing_but_merging_is_left) {
   const auto scene = testing::build(testing::room(16, 16));
   for (const char* name : {"pppm", "bpm", "bdpm"}) {

@@ -257,6 +257,31 @@ struct Saved {
   }
 };
 
+TEST(RenderSession, hands_over_photons_to_those_who_ask) {
+  RenderSession session;
+  RenderJob job = room_job(32);
+  job.integrator = "sppm";
+  job.targets.passes = 2;
+  session.start(job);
+  session.wait();
+  EXPECT_EQ(session.snapshot()->photons, nullptr);
+
+  session.request_photons(500);
+  session.start(job);
+  session.wait();
+  const auto photons = session.snapshot()->photons;
+  ASSERT_NE(photons, nullptr);
+  EXPECT_GT(photons->total, 500u);
+  EXPECT_GT(photons->points.size(), 100u);
+  EXPECT_LE(photons->points.size(), 501u);
+  EXPECT_EQ(photons->bytes, photons->total * sizeof(Photon));
+
+  session.request_photons(0);
+  session.start(job);
+  session.wait();
+  EXPECT_EQ(session.snapshot()->photons, nullptr);
+}
+
 TEST(RenderSession, saves_on_request_after_the_pass) {
   RenderSession session;
   RenderJob job = room_job(32);
