@@ -7,8 +7,6 @@
 namespace guidelight {
 namespace {
 
-constexpr float kBodySize = 16;  // [pixels at scale 1]
-
 ImVec4 color(ImU32 packed) { return ImGui::ColorConvertU32ToFloat4(packed); }
 
 void set_colors(ImVec4* colors) {

@@ -23,6 +23,9 @@ inline constexpr ImU32 kWarning = IM_COL32(232, 168, 76, 255);
 inline constexpr ImU32 kError = IM_COL32(229, 83, 75, 255);
 }  // namespace palette
 
+/// Of the font at scale 1 [pixels]; all lengths follow it.
+inline constexpr float kBodySize = 16;
+
 /// Sets colours, spacing and rounding for a scale of the interface; 1 is meant for 96 dots per
 /// inch.
 void apply_theme(float scale);

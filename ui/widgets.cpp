@@ -7,7 +7,6 @@
 namespace guidelight {
 namespace {
 
-constexpr float kBodySize = 16;
 constexpr float kLabelShare = 0.35f;  // of a panel's width
 
 float text_width(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
