@@ -34,8 +34,11 @@ inline float kernel_value(Kernel kernel, float distance_squared, float radius_sq
 }
 
 /// Whether a photon on a surface of one normal may be used on a surface of another: they differ by
-/// less than 45°, which keeps light from leaking around corners. Either side will do, because a
-/// BSDF tells sides apart by itself.
+/// less than 45°, which keeps light from leaking around corners.
+inline bool is_same_side(Vec3 normal_a, Vec3 normal_b) {
+  return glm::dot(normal_a, normal_b) > 0.7071f;
+}
+/// The same where a BSDF tells sides apart by itself, and may transmit.
 inline bool is_same_surface(Vec3 normal_a, Vec3 normal_b) {
   return std::abs(glm::dot(normal_a, normal_b)) > 0.7071f;
 }

@@ -27,13 +27,18 @@ struct Photon {
 };
 static_assert(sizeof(Photon) == 32);
 
+/// Bits that look random and depend on a place alone.
+inline uint64_t hash_position(Vec3 p) {
+  const uint64_t xy =
+      static_cast<uint64_t>(std::bit_cast<uint32_t>(p.x)) << 32 | std::bit_cast<uint32_t>(p.y);
+  return mix_bits(mix_bits(xy) ^ std::bit_cast<uint32_t>(p.z));
+}
+
 /// Packs a photon. Its power is right in the mean over photons (see pack_color); the same photon is
 /// always packed alike.
 inline Photon make_photon(Vec3 position, Vec3 wi, Color power, int length, bool caustic,
                           const MisPartials& partials = {}) {
-  const uint64_t xy = static_cast<uint64_t>(std::bit_cast<uint32_t>(position.x)) << 32 |
-                      std::bit_cast<uint32_t>(position.y);
-  const uint64_t dither = mix_bits(mix_bits(xy) ^ std::bit_cast<uint32_t>(position.z));
+  const uint64_t dither = hash_position(position);
   const auto clamped_length = static_cast<uint32_t>(std::clamp(length, 0, 127));
   return {position,
           pack_direction(wi) | clamped_length << 24 | static_cast<uint32_t>(caustic) << 31,

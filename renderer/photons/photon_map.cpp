@@ -6,7 +6,11 @@ namespace guidelight {
 
 namespace {
 
-using Buffer = std::array<Neighbor, EstimateSettings::kMaxNeighbors>;
+constexpr int kPhotonsPerPoint = 4;
+/// An estimate of irradiance searches more photons than k, because it leaves a share of them out.
+constexpr float kOversearch = kPhotonsPerPoint / (kPhotonsPerPoint - 1.0f);
+
+using Buffer = std::array<Neighbor, 2 * EstimateSettings::kMaxNeighbors>;
 
 }  // namespace
 
@@ -17,6 +21,11 @@ SurfacePhoton make_surface_photon(const PathVertex& vertex, Color power, bool ca
       make_photon(vertex.point.position, vertex.wo, power, vertex.length, caustic);
   photon.packed_normal = pack_direction(glm::dot(normal, vertex.wo) < 0 ? -normal : normal);
   return photon;
+}
+
+bool is_irradiance_point(const SurfacePhoton& photon) {
+  // The hash of its place: chance, but the same chance whenever it is asked.
+  return (hash_position(photon.position) >> 56) % kPhotonsPerPoint == 0;
 }
 
 Color PhotonMap::radiance(const PathVertex& vertex, const Scattering& scattering,
@@ -46,34 +55,35 @@ Color PhotonMap::radiance(const PathVertex& vertex, const Scattering& scattering
 
 Color PhotonMap::irradiance(Vec3 position, Vec3 normal, const EstimateSettings& settings,
                             int max_length) const {
+  const float k = static_cast<float>(settings.neighbors) * kOversearch;
   Buffer buffer;
   const Neighbors neighbors =
-      tree_.nearest(position, settings.neighbors, settings.max_distance, buffer);
+      tree_.nearest(position, static_cast<size_t>(k), settings.max_distance, buffer);
   Color sum(0.0f);
   for (const Neighbor& neighbor : neighbors.found) {
     const SurfacePhoton& photon = tree_.items()[neighbor.index];
-    const Vec3 photon_normal = photon.normal();
-    if (photon.length() > max_length || !is_same_surface(photon_normal, normal) ||
-        glm::dot(photon_normal, normal) < 0) {
-      continue;
-    }
+    if (photon.length() > max_length || is_irradiance_point(photon)) continue;
+    if (!is_same_side(photon.normal(), normal)) continue;
     sum += photon.power() *
            kernel_value(settings.kernel, neighbor.distance_squared, neighbors.radius_squared);
   }
-  return sum;
+  return sum * kOversearch;
 }
 
 IrradianceMap::IrradianceMap(const PhotonMap& photons, const EstimateSettings& settings,
                              int max_length, Parallel& parallel) {
-  constexpr size_t kStride = 4;
   constexpr size_t kPointsPerTask = 256;
-  std::vector<Point> points((photons.photons().size() + kStride - 1) / kStride);
+  std::vector<Point> points;
+  for (const SurfacePhoton& photon : photons.photons()) {
+    if (!is_irradiance_point(photon)) continue;
+    points.push_back({photon.position, photon.packed_normal, Color(0.0f)});
+  }
   parallel.for_each((points.size() + kPointsPerTask - 1) / kPointsPerTask, [&](size_t task) {
     const size_t end = std::min(points.size(), (task + 1) * kPointsPerTask);
     for (size_t i = task * kPointsPerTask; i < end; ++i) {
-      const SurfacePhoton& photon = photons.photons()[i * kStride];
-      points[i] = {photon.position, photon.packed_normal,
-                   photons.irradiance(photon.position, photon.normal(), settings, max_length)};
+      Point& point = points[i];
+      point.irradiance = photons.irradiance(point.position, unpack_direction(point.packed_normal),
+                                            settings, max_length);
     }
   });
   tree_ = KdTree<Point>(points, parallel);
@@ -88,7 +98,7 @@ std::optional<Color> IrradianceMap::irradiance(Vec3 position, Vec3 normal,
   float best_distance = kInfinity;
   for (const Neighbor& neighbor : neighbors.found) {
     const Point& point = tree_.items()[neighbor.index];
-    const bool fits = glm::dot(unpack_direction(point.packed_normal), normal) > 0.7071f;
+    const bool fits = is_same_side(unpack_direction(point.packed_normal), normal);
     if (!fits || neighbor.distance_squared >= best_distance) continue;
     best = &point;
     best_distance = neighbor.distance_squared;

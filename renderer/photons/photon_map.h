@@ -18,6 +18,9 @@ struct SurfacePhoton : Photon {
 /// The photon of a light vertex. `power` in watts: divided by the number of light paths.
 SurfacePhoton make_surface_photon(const PathVertex& vertex, Color power, bool caustic);
 
+/// Whether a photon's place is one of those where irradiance is computed ahead; about every fourth.
+bool is_irradiance_point(const SurfacePhoton& photon);
+
 /// How photons are gathered into an estimate.
 struct EstimateSettings {
   static constexpr int kMaxNeighbors = 1024;
@@ -46,7 +49,7 @@ class PhotonMap {
                  const EstimateSettings& settings) const;
 
   /// Irradiance of a surface on the side of its unit normal, by photons of at most `max_length`
-  /// segments.
+  /// segments that are not is_irradiance_point(); scaled up for those.
   Color irradiance(Vec3 position, Vec3 normal, const EstimateSettings& settings,
                    int max_length) const;
 
@@ -54,9 +57,14 @@ class PhotonMap {
   KdTree<SurfacePhoton> tree_;
 };
 
-/// Irradiance computed ahead at every fourth photon, for surfaces that reflect all light alike: one
-/// estimate then costs a search of one point (Christensen 1999, "Faster Photon Map Global
-/// Illumination").
+/// Irradiance computed ahead at the places of a quarter of the photons, for surfaces that reflect
+/// all light alike: an estimate then costs a search of one point (Christensen 1999, "Faster Photon
+/// Map Global Illumination").
+///
+/// The quarter is chosen by chance and does not take part in the estimates. Two parts of a Poisson
+/// process that is divided so are independent; otherwise the estimates would be too high, because
+/// every one finds the photon it stands on, or without that too low, because the nearest place to
+/// look at is more often one where photons are sparse.
 class IrradianceMap {
  public:
   IrradianceMap() = default;
