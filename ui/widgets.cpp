@@ -23,7 +23,9 @@ std::vector<size_t> character_starts(const std::string& text) {
 
 void row_label(const char* label, const std::string& help) {
   const float left = ImGui::GetCursorPosX();
-  const float column = left + kLabelShare * ImGui::GetContentRegionAvail().x;
+  const float share = kLabelShare * ImGui::GetContentRegionAvail().x;
+  const float needed = ImGui::CalcTextSize(label).x + ImGui::GetStyle().ItemInnerSpacing.x;
+  const float column = left + std::max(share, needed);
   dim_text(label);
   if (!help.empty()) tooltip(help);
   ImGui::SameLine(column);
