@@ -38,7 +38,7 @@ class ProgressiveRender {
     auto film = std::make_shared<Film>(camera.width(), camera.height(), camera.film().filter);
     const uint32_t first_pass = resume(*film);
     const auto integrator = info_.create(job_.scene, *settings_);
-    const PassContext context{job_.seed, &parallel_, job_.region};
+    const PassContext context{job_.seed, &parallel_, job_.region, job_.history.get()};
     for (uint32_t pass = first_pass;; ++pass) {
       try {
         integrator->render_pass(pass, *film, context);
