@@ -69,7 +69,7 @@ class DensityEstimates {
   size_t state_size() const { return 6 * estimates_.size() + 3 * biases_.size(); }
 
  private:
-  static constexpr int kBlock = 8;  // side [pixels]
+  static constexpr int kBlock = 16;  // side [pixels]
   struct BiasSums {
     double sum = 0;
     double squares = 0;

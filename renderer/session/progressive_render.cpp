@@ -42,6 +42,7 @@ class ProgressiveRender {
     PassContext context{.seed = job_.seed,
                         .parallel = &parallel_,
                         .region = job_.region,
+                        .history = job_.history.get(),
                         .techniques = job_.techniques.get()};
     for (uint32_t pass = first_pass;; ++pass) {
       const size_t photons_wanted = observer_.photons_wanted();

@@ -41,6 +41,8 @@ struct RenderJob {
   std::shared_ptr<TechniqueImages> techniques;
   /// Show pictures of 1/8, 1/4, 1/2 of the size first, so that something is there at once.
   bool coarse_first = false;
+  /// Receives the history of the pixels that somebody looks at, if the integrator records any.
+  std::shared_ptr<PixelHistory> history;
   /// Goes on from here instead of from nothing; the film must have the scene's size.
   std::optional<RenderProgress> resume_from;
   /// Called on the render thread every `save_interval` seconds, and at the end, to save the

@@ -235,6 +235,8 @@ std::vector<Method> methods(const SceneCase& scene) {
       {"bpm", "scene_radius=0.5,alpha=1,light_paths=2", 6},
       {"bdpm", "scene_radius=1,neighbors=10,light_paths=2", 6},
       {"pppm", "scene_radius=0.5,alpha=1,light_paths=2", 6},
+      {"ppm", "scene_radius=0.5,light_paths=2", 6},
+      {"sppm", "scene_radius=0.5,light_paths=2", 6},
   };
   if (scene.is_diffuse) {
     list.push_back({"light", "", 8});
