@@ -26,9 +26,10 @@ def length_key(integrator):
     return "max_depth" if integrator == "path" else "max_length"
 
 
-def render(args, scene, integrator, length, seconds, outputs):
+def render(args, scene, integrator, length, seconds, outputs, seed=0):
     command = [f"{args.build}/guidelight", "render", scene, "--integrator", integrator,
                "--time", str(seconds), "--size", args.size, "--threads", "2", "--float",
+               "--seed", str(seed),
                "--set", f"{length_key(integrator)}={length}"]
     for output in outputs:
         command += ["-o", str(output)]
@@ -59,7 +60,7 @@ def main():
         reference = args.out / f"{name}-reference.exr"
         if not reference.exists():
             render(args, path, reference_by, length, args.reference_seconds,
-                   [reference, reference.with_suffix(".png")])
+                   [reference, reference.with_suffix(".png")], seed=1)
         cells = []
         for integrator in INTEGRATORS:
             picture = args.out / f"{name}-{integrator}.exr"
