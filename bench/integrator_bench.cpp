@@ -91,6 +91,29 @@ void replay(benchmark::State& state, const IntegratorInfo& info) {
   report(state, logged_rays(info));
 }
 
+/// Shadow rays alone, as batches or one by one: what packets bring to connections.
+void shadow_rays(benchmark::State& state, const IntegratorInfo& info, bool as_packets) {
+  const RayLog& log = logged_rays(info);
+  size_t rays = 0;
+  for (auto _ : state) {
+    rays = 0;
+    for (const auto& batch : log.batches()) {
+      if (!batch.shadow) continue;
+      std::vector<uint8_t> blocked(batch.rays.size());
+      if (as_packets) {
+        scene()->occluded(batch.rays, blocked);
+      } else {
+        for (size_t i = 0; i < batch.rays.size(); ++i)
+          blocked[i] = scene()->occluded(batch.rays[i]);
+      }
+      benchmark::DoNotOptimize(blocked.data());
+      rays += batch.rays.size();
+    }
+  }
+  state.counters["rays/s"] = {static_cast<double>(state.iterations()) * rays,
+                              benchmark::Counter::kIsRate};
+}
+
 }  // namespace
 }  // namespace guidelight
 
@@ -108,5 +131,8 @@ int main(int argc, char** argv) {
     add("/passes", guidelight::passes);
     add("/replay", guidelight::replay);
   }
+  const auto& bdpt = guidelight::find_integrator("bdpt");
+  benchmark::RegisterBenchmark("bdpt/shadow_packets", guidelight::shadow_rays, bdpt, true);
+  benchmark::RegisterBenchmark("bdpt/shadow_one_by_one", guidelight::shadow_rays, bdpt, false);
   benchmark::RunSpecifiedBenchmarks();
 }

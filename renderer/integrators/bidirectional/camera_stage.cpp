@@ -92,6 +92,9 @@ void CameraStage::escaped(uint32_t index, Subpath& path) {
 
 bool CameraStage::visit(uint32_t index, Subpath& path, const PathVertex& vertex,
                         const Scattering& scattering) {
+  const BidirectionalSettings& settings = setup_.settings;
+  const bool merges_once = settings.kind == BidirectionalKind::ProbabilisticPpm;
+  if (merges_once && !vertex.is_specular_chain) return false;
   const int length = vertex.length;
   PathState& state = states_[index];
   state.extend(path);
@@ -101,7 +104,6 @@ bool CameraStage::visit(uint32_t index, Subpath& path, const PathVertex& vertex,
   if (length >= setup_.max_length) return false;
   if (!scattering.is_connectible()) return true;
 
-  const BidirectionalSettings& settings = setup_.settings;
   if (vertex.is_specular_chain) {
     state.radius = setup_.radius.at(state.distance);
     state.eta = setup_.radius.eta(state.radius);
@@ -113,7 +115,8 @@ bool CameraStage::visit(uint32_t index, Subpath& path, const PathVertex& vertex,
   if (light_.cache) connect_random_vertices(index, path, vertex, scattering);
   if (light_.photons) merge_within_radius(index, vertex, scattering);
   if (light_.nearest) merge_nearest(index, vertex, scattering);
-  return settings.kind != BidirectionalKind::ProbabilisticPpm;
+  // A coat over a finite lobe: the path may still be a specular one.
+  return !merges_once || (vertex.point.bsdf->lobes() & kLobeDelta);
 }
 
 void CameraStage::add_emission(uint32_t index, const Subpath& path, const PathVertex& vertex) {

@@ -1,6 +1,9 @@
 #include "renderer/integrators/bidirectional/light_stage.h"
 
+#include <algorithm>
+
 #include "renderer/image/technique_images.h"
+#include "renderer/integrators/tiles.h"
 
 namespace guidelight {
 
@@ -18,21 +21,23 @@ void LightStage::trace(size_t first, size_t last, Film* film) {
   film_ = setup_.settings.light_tracing ? film : nullptr;
   photons_.clear();
   vertices_.reset(last - first);
-  start(first, last);
-  walk_.run(paths_, *this);
+  for (size_t begin = first; begin < last; begin += kTilePixels) {
+    start(begin, std::min(begin + kTilePixels, last), begin - first);
+    walk_.run(paths_, *this);
+  }
   if (film_) film_->add_splat_count(last - first);
 }
 
-void LightStage::start(size_t first, size_t last) {
+void LightStage::start(size_t first, size_t last, size_t first_slot) {
   paths_.clear();
   slots_.clear();
   emissions_.resize(last - first);
-  for (size_t i = first; i < last; ++i) {
-    const Rng rng(setup_.seed ^ kLightPathStream, setup_.pass, i);
-    const auto path = start_light_path(setup_.scene, rng, setup_.weights.counts().emission,
-                                       emissions_[i - first]);
+  for (size_t i = 0; i < last - first; ++i) {
+    const Rng rng(setup_.seed ^ kLightPathStream, setup_.pass, first + i);
+    const auto path =
+        start_light_path(setup_.scene, rng, setup_.weights.counts().emission, emissions_[i]);
     if (!path) continue;  // contributes nothing, but counts
-    slots_.push_back(static_cast<uint32_t>(i - first));
+    slots_.push_back(static_cast<uint32_t>(first_slot + i));
     paths_.push_back(*path);
   }
 }
@@ -47,8 +52,9 @@ bool LightStage::visit(uint32_t index, Subpath& path, const PathVertex& vertex,
       photons_.push_back(make_photon(vertex.point.position, vertex.wo, vertex.throughput, length,
                                      vertex.is_caustic(), vertex.partials));
     }
-    if (settings.connections && length + 2 <= setup_.max_length)
+    if (settings.connections && length + 2 <= setup_.max_length) {
       vertices_.add(slots_[index], vertex);
+    }
     if (film_ && setup_.is_shown(length + 1)) queue_splat(path, vertex, scattering);
   }
   return length + 2 <= setup_.max_length;

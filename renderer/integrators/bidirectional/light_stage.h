@@ -30,7 +30,8 @@ class LightStage {
   void end_segment();
 
  private:
-  void start(size_t first, size_t last);
+  /// A batch of paths; `first_slot` is the place of the first among all of the trace().
+  void start(size_t first, size_t last, size_t first_slot);
   void record_techniques();
   void queue_splat(Subpath& path, const PathVertex& vertex, const Scattering& scattering);
 
@@ -40,7 +41,7 @@ class LightStage {
   LightVertices vertices_;
   std::vector<Photon> photons_;
   std::vector<Subpath> paths_;
-  std::vector<uint32_t> slots_;  // which of the batch each of paths_ is
+  std::vector<uint32_t> slots_;  // which of the trace() each of paths_ is
   std::vector<EmissionSample> emissions_;
   // Splats and what belongs to each.
   std::vector<Splat> splats_;
