@@ -235,6 +235,8 @@ std::vector<Method> methods(const SceneCase& scene) {
       {"bpm", "scene_radius=0.5,alpha=1,light_paths=2", 6},
       {"bdpm", "scene_radius=1,neighbors=10,light_paths=2", 6},
       {"pppm", "scene_radius=0.5,alpha=1,light_paths=2", 6},
+      {"photon_map", "light_paths=30000,neighbors=20,gather_rays=50", 3},
+      {"photon_map", "light_paths=30000,neighbors=20,gather_rays=4,irradiance_cache=false", 3},
   };
   if (scene.is_diffuse) {
     list.push_back({"light", "", 8});
