@@ -237,6 +237,8 @@ std::vector<Method> methods(const SceneCase& scene) {
       {"pppm", "scene_radius=0.5,alpha=1,light_paths=2", 6},
       {"ppm", "scene_radius=0.5,light_paths=2", 6},
       {"sppm", "scene_radius=0.5,light_paths=2", 6},
+      {"photon_map", "light_paths=30000,neighbors=20,gather_rays=50", 3},
+      {"photon_map", "light_paths=30000,neighbors=20,gather_rays=4,irradiance_cache=false", 3},
   };
   if (scene.is_diffuse) {
     list.push_back({"light", "", 8});
