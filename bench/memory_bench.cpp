@@ -1,6 +1,6 @@
 // Whether memory grows with the number of passes, and what one photon, point and vertex take.
 //
-//   memory_bench [SCENE]      default: scenes/mirror-glass-box at 128x128
+//   memory_bench [SCENE]      default: scenes/mirror-glass-box at 64x64
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -15,7 +15,7 @@
 namespace guidelight {
 namespace {
 
-constexpr int kSide = 128;
+constexpr int kSide = 64;
 
 double resident_megabytes() {
   std::ifstream statm("/proc/self/statm");
