@@ -24,7 +24,7 @@ struct GatherPoint {
 };
 
 /// Photons of one pass, and which paths are wanted.
-struct PhotonMap {
+struct MeasuredPhotons {
   HashGrid<Photon> photons;
   int min_length;  // segments of the full path
   int max_length;
@@ -39,7 +39,7 @@ struct PhotonMap {
 /// third of it. Along a sharp edge it is 0.18 of the bias (root mean squares over the distances
 /// from the edge). The factor 4 is between 3 and 5.5, wrong by a third at either end.
 template <class SurfaceAt>
-void gather(const PhotonMap& map, const GatherPoint& point, SurfaceAt&& surface,
+void gather(const MeasuredPhotons& map, const GatherPoint& point, SurfaceAt&& surface,
             FoundLight& found) {
   const float inverse_squared = 1 / sqr(point.radius);
   map.photons.for_each_within(

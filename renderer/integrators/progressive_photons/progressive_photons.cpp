@@ -180,7 +180,7 @@ class ProgressivePhotons : public Integrator {
   SearchRadius initial_radius_;
   double light_paths_ = 0;  // per pass
   PhotonTracer tracer_;
-  PhotonMap map_{};
+  MeasuredPhotons map_{};
   MeasurementPoints points_;  // PPM
 };
 
