@@ -8,6 +8,7 @@ import math
 import pathlib
 import sys
 
+import interiors
 from meshes import Mesh, add, arc, dot, moulding, normalize, rounded_box
 from pictures import png, radiance_hdr
 
@@ -144,6 +145,7 @@ FILES = {
     "tests/instances": lambda: {"rounded-box.ply": rounded_box((1, 1, 1), 0.15).ply("rounded box")},
     "tests/normal-map": normal_map,
     "tests/textured-light": textured_light,
+    **interiors.FILES,
 }
 
 

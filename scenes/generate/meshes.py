@@ -63,6 +63,14 @@ class Mesh:
         self.triangle(corners[0], corners[1], corners[2])
         self.triangle(corners[0], corners[2], corners[3])
 
+    def mapped(self, change):
+        """A copy whose vertices are change(position, normal, uv)."""
+        result = Mesh()
+        indices = [result.vertex(*change(*vertex)) for vertex in self.vertices]
+        for triangle in self.triangles:
+            result.triangle(*(indices[i] for i in triangle))
+        return result
+
     def append(self, other, offset):
         """Adds a copy of another mesh, moved by `offset`."""
         indices = [self.vertex(add(p, offset), n, uv) for p, n, uv in other.vertices]
@@ -86,6 +94,68 @@ class Mesh:
         body = b"".join(struct.pack("<8f", *p, *n, *uv) for p, n, uv in self.vertices)
         body += b"".join(struct.pack("<B3i", 3, *t) for t in self.triangles)
         return "\n".join(header).encode() + body
+
+
+def turned(mesh, axis, degrees):
+    """A copy of a mesh, turned about a coordinate axis (0, 1 or 2) by the right-hand rule."""
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    u, v = (axis + 1) % 3, (axis + 2) % 3
+
+    def turn(p):
+        q = list(p)
+        q[u], q[v] = c * p[u] - s * p[v], s * p[u] + c * p[v]
+        return tuple(q)
+
+    return mesh.mapped(lambda position, normal, uv: (turn(position), turn(normal), uv))
+
+
+def block(low, high):
+    """Axis-aligned box with sharp edges, for what is built in."""
+    (x0, y0, z0), (x1, y1, z1) = low, high
+    mesh = Mesh()
+    mesh.quad((x0, y0, z1), (x1, y0, z1), (x1, y1, z1), (x0, y1, z1))
+    mesh.quad((x1, y0, z0), (x0, y0, z0), (x0, y1, z0), (x1, y1, z0))
+    mesh.quad((x1, y0, z1), (x1, y0, z0), (x1, y1, z0), (x1, y1, z1))
+    mesh.quad((x0, y0, z0), (x0, y0, z1), (x0, y1, z1), (x0, y1, z0))
+    mesh.quad((x0, y1, z1), (x1, y1, z1), (x1, y1, z0), (x0, y1, z0))
+    mesh.quad((x0, y0, z0), (x1, y0, z0), (x1, y0, z1), (x0, y0, z1))
+    return mesh
+
+
+def chamfered_box(size, radius):
+    """Box around the origin with chamfered edges, whose normals make the chamfers look round."""
+    half = [0.5 * s for s in size]
+    mesh = Mesh()
+
+    def corner(axis, signs):
+        position = tuple(s * (h if i == axis else h - radius)
+                         for i, (s, h) in enumerate(zip(signs, half)))
+        return position, tuple(s if i == axis else 0 for i, s in enumerate(signs))
+
+    def polygon(corners):
+        (a, n), (b, m), (c, o) = corners[:3]
+        if dot(cross(sub(b, a), sub(c, a)), add(add(n, m), o)) < 0:
+            corners = corners[::-1]
+        indices = [mesh.vertex(*c) for c in corners]
+        for b, c in zip(indices[1:], indices[2:]):
+            mesh.triangle(indices[0], b, c)
+
+    for axis in range(3):
+        first, second = (axis + 1) % 3, (axis + 2) % 3
+
+        def signs(a, b, c):
+            return tuple({axis: a, first: b, second: c}[i] for i in range(3))
+
+        for side in (-1, 1):
+            polygon([corner(axis, signs(side, b, c)) for b, c in ((-1, -1), (1, -1), (1, 1), (-1, 1))])
+            for other in (-1, 1):
+                polygon([corner(first, signs(-1, side, other)), corner(first, signs(1, side, other)),
+                         corner(second, signs(1, side, other)), corner(second, signs(-1, side, other))])
+    for x in (-1, 1):
+        for y in (-1, 1):
+            for z in (-1, 1):
+                polygon([corner(axis, (x, y, z)) for axis in range(3)])
+    return mesh
 
 
 def rounded_box(size, radius, segments=4):
@@ -130,6 +200,24 @@ def arc(center, radius, start, end, segments=8):
     return points
 
 
+def profile_normals(profile, crease):
+    """For each segment of a profile the normals at its two ends; the outside is on the right.
+
+    Edges sharper than `crease` degrees stay sharp.
+    """
+    flat = []
+    for (a0, b0), (a1, b1) in zip(profile, profile[1:]):
+        length = math.hypot(a1 - a0, b1 - b0)
+        flat.append(((b1 - b0) / length, -(a1 - a0) / length))
+
+    def joined(k, other):
+        if not 0 <= other < len(flat) or dot(flat[k], flat[other]) < math.cos(math.radians(crease)):
+            return flat[k]
+        return normalize(add(flat[k], flat[other]))
+
+    return [(joined(k, k - 1), joined(k, k + 1)) for k in range(len(flat))]
+
+
 def moulding(path, up, profile, closed=False, crease=40):
     """Sweeps a profile along a polyline in the plane with normal `up`, mitred at the corners.
 
@@ -145,31 +233,85 @@ def moulding(path, up, profile, closed=False, crease=40):
         after = lefts[i % len(lefts)] if closed or i < count - 1 else lefts[-1]
         return mul(add(before, after), 1 / (1 + dot(before, after)))
 
-    def flat_normal(k):
-        (a0, b0), (a1, b1) = profile[k], profile[k + 1]
-        length = math.hypot(a1 - a0, b1 - b0)
-        return ((b1 - b0) / length, -(a1 - a0) / length)
-
-    flat = [flat_normal(k) for k in range(len(profile) - 1)]
-
-    def normal_at(k, point):
-        """Normal of profile segment k at profile point `point` (k or k + 1)."""
-        other = k - 1 if point == k else k + 1
-        if not 0 <= other < len(flat) or dot(flat[k], flat[other]) < math.cos(math.radians(crease)):
-            return flat[k]
-        return normalize(add(flat[k], flat[other]))
-
+    normals = profile_normals(profile, crease)
     mesh = Mesh()
     for (i, j), left in zip(pairs, lefts):
         length = math.sqrt(dot(sub(path[j], path[i]), sub(path[j], path[i])))
-        for k in range(len(flat)):
+        for k, ends in enumerate(normals):
             rows = []
-            for point in (k, k + 1):
+            for point, n in zip((k, k + 1), ends):
                 a, b = profile[point]
-                n = normal_at(k, point)
                 normal = add(mul(left, n[0]), mul(up, n[1]))
                 rows.append([mesh.vertex(add(path[corner], add(mul(mitre(corner), a), mul(up, b))),
-                                         normal, (u, point / len(flat)))
+                                         normal, (u, point / len(normals)))
                              for corner, u in ((j, length), (i, 0))])
+            mesh.grid(rows)
+    return mesh
+
+
+def lathe(profile, segments=32, crease=40):
+    """Turns a profile of (radius, height) about the y axis; the outside is on its right."""
+    mesh = Mesh()
+    for k, ends in enumerate(profile_normals(profile, crease)):
+        rows = []
+        for (radius, y), n in zip(profile[k:k + 2], ends):
+            row = []
+            for j in range(segments + 1):
+                phi = 2 * math.pi * j / segments
+                x, z = math.sin(phi), math.cos(phi)
+                if radius == 0:  # One vertex for the tip, so that no triangle is degenerate.
+                    row.append(mesh.vertex((0, y, 0), (0, math.copysign(1, n[1]), 0)))
+                else:
+                    row.append(mesh.vertex((radius * x, y, radius * z), (n[0] * x, n[1], n[0] * z),
+                                           (j / segments, y)))
+            rows.append(row)
+        mesh.grid(rows)
+    return mesh
+
+
+def tube(path, radius, segments=12):
+    """A round bar along a polyline without sharp turns; its ends are open."""
+    side = None
+    rows = []
+    mesh = Mesh()
+    for i, center in enumerate(path):
+        ahead = normalize(sub(path[min(i + 1, len(path) - 1)], path[max(i - 1, 0)]))
+        if side is None:
+            side = cross(ahead, (0, 1, 0) if abs(ahead[1]) < 0.9 else (1, 0, 0))
+        side = normalize(sub(side, mul(ahead, dot(side, ahead))))
+        other = cross(ahead, side)
+        row = []
+        for j in range(segments + 1):
+            phi = 2 * math.pi * j / segments
+            normal = add(mul(side, math.cos(phi)), mul(other, math.sin(phi)))
+            row.append(mesh.vertex(add(center, mul(normal, radius)), normal, (j / segments, i)))
+        rows.append(row)
+    mesh.grid(rows)
+    return mesh
+
+
+def cushion(size, power=5, segments=7):
+    """A box with bulging sides: the superellipsoid |2x/a|^p + |2y/b|^p + |2z/c|^p = 1."""
+    half = [0.5 * s for s in size]
+
+    def point(direction):
+        scale = sum(abs(d) ** power for d in direction) ** (-1 / power)
+        position = tuple(scale * d * h for d, h in zip(direction, half))
+        normal = normalize(tuple(math.copysign(abs(p / h) ** (power - 1), p) / h
+                                 for p, h in zip(position, half)))
+        return position, normal
+
+    mesh = Mesh()
+    steps = [math.tan(math.pi / 4 * (2 * i / segments - 1)) for i in range(segments + 1)]
+    for axis in range(3):
+        for sign in (-1, 1):
+            rows = []
+            for v in steps:
+                row = []
+                for u in steps:
+                    direction = [0.0] * 3
+                    direction[axis], direction[(axis + 1) % 3], direction[(axis + 2) % 3] = sign, u, v
+                    row.append(mesh.vertex(*point(direction)))
+                rows.append(row if sign > 0 else row[::-1])
             mesh.grid(rows)
     return mesh

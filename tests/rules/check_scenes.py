@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Checks that the meshes and pictures in scenes/ are what scenes/generate/generate.py writes.
+"""Checks that the meshes and pictures in scenes/ are what scenes/generate/generate.py writes, that each
+scene uses them all, says where they come from, and stays below 8 MiB.
 
     check_scenes.py ROOT    prints one line per difference and exits with 1 if there is any
 """
@@ -8,6 +9,8 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+
+LARGEST = 8 << 20  # bytes in a scene's folder
 
 
 def main():
@@ -24,6 +27,15 @@ def main():
         if not (scene.parent / "README.md").is_file():
             print(f"{scene.parent}: has no README.md that says where the geometry comes from")
             found = True
+        files = [file for file in scene.parent.iterdir() if file.is_file()]
+        if sum(file.stat().st_size for file in files) > LARGEST:
+            print(f"{scene.parent}: holds more than 8 MiB")
+            found = True
+        text = scene.read_text(encoding="utf-8")
+        for file in files:
+            if file.suffix in (".obj", ".ply", ".png", ".hdr") and f'"{file.name}"' not in text:
+                print(f"{file}: scene.xml does not use it")
+                found = True
     return 1 if found else 0
 
 
