@@ -10,7 +10,12 @@ bool GatheredLight::serves(int vertex_length) const {
 }
 
 Color GatheredLight::radiance(const PathVertex& vertex, const Scattering& scattering) const {
-  if (serves(vertex.length)) {
+  // Precomputed irradiance is that of the true surface; a tilted shading normal weighs it
+  // otherwise.
+  constexpr float kUntilted = 0.9999f;
+  const SurfacePoint& point = vertex.point;
+  const bool is_tilted = glm::dot(point.frame.n, point.geometric_normal) < kUntilted;
+  if (serves(vertex.length) && !is_tilted) {
     if (const auto value = lambertian_value(vertex, scattering)) {
       if (is_black(*value)) return Color(0.0f);
       const Vec3 outside = vertex.point.geometric_normal;
