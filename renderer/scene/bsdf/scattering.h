@@ -60,20 +60,31 @@ class Scattering {
 
   std::optional<ScatteringSample> sample(float u_lobe, Vec2 u) const {
     const std::optional<BsdfSample> drawn = point_->bsdf->sample(*point_, wo_local_, u_lobe, u);
-    if (!drawn) return std::nullopt;
-    if (drawn->eta == 1 && drawn->wi == -wo_local_) {
-      return ScatteringSample{-wo_, drawn->weight, drawn->pdf, 1.0f, drawn->lobe};
-    }
-    const Vec3 wi = point_->frame.to_world(drawn->wi);
-    if (leaks(wi, drawn->wi)) return std::nullopt;
-    return ScatteringSample{wi, drawn->weight * correction(wi, drawn->wi, drawn->eta), drawn->pdf,
-                            drawn->eta, drawn->lobe};
+    return drawn ? to_world(*drawn) : std::nullopt;
+  }
+
+  /// The delta event of one kind; empty if there is none.
+  std::optional<ScatteringSample> specular(Lobe lobe) const {
+    const std::optional<SpecularEvent> event = point_->bsdf->specular(*point_, wo_local_, lobe);
+    if (!event || !(event->probability > 0)) return std::nullopt;
+    return to_world({event->wi, event->value / event->probability, event->probability, event->eta,
+                     lobe});
   }
 
   /// True if connections can be made here: some lobe is finite.
   bool is_connectible() const { return point_->bsdf->lobes() & kLobeSmooth; }
 
  private:
+  std::optional<ScatteringSample> to_world(const BsdfSample& drawn) const {
+    if (drawn.eta == 1 && drawn.wi == -wo_local_) {
+      return ScatteringSample{-wo_, drawn.weight, drawn.pdf, 1.0f, drawn.lobe};
+    }
+    const Vec3 wi = point_->frame.to_world(drawn.wi);
+    if (leaks(wi, drawn.wi)) return std::nullopt;
+    return ScatteringSample{wi, drawn.weight * correction(wi, drawn.wi, drawn.eta), drawn.pdf,
+                            drawn.eta, drawn.lobe};
+  }
+
   bool leaks(Vec3 wi, Vec3 wi_local) const {
     return glm::dot(wi, point_->geometric_normal) * wi_local.z <= 0 ||
            wo_cos_geometric_ * wo_local_.z <= 0;

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "renderer/metropolis/path_lengths.h"
+#include "renderer/sampling/random.h"
+#include "renderer/transport/path.h"
+
+namespace guidelight {
+
+/// Fills the gap between the first vertices and the last vertices of a path by every bidirectional
+/// technique alike: some of the missing vertices continue the light's side, the others the eye's,
+/// and a connection joins them (Veach 1997, 11.3.1). With nothing kept it draws whole paths.
+class BidirectionalSampler {
+ public:
+  explicit BidirectionalSampler(const Scene& scene) : scene_(scene) {}
+
+  /// What is kept of a path, and how many vertices are put in between. Of a side, either nothing is
+  /// kept or at least two vertices: the light and the first direction are drawn together, as are
+  /// the lens and the place in the picture.
+  struct Gap {
+    int from_light = 0;
+    int inserted = 0;
+    int from_eye = 0;
+
+    bool is_possible() const;
+  };
+
+  /// `y` holds the kept vertices (Path::splice). False if the path is broken or carries nothing.
+  bool fill(const Gap& gap, Path& y, Rng& rng) const;
+
+  /// Density of the inserted vertices of y, over all techniques.
+  double density(const Gap& gap, const Path& y) const;
+
+ private:
+  /// Vertices that continue the light's side: any number in [first, last].
+  struct Splits {
+    int first;
+    int last;
+    int count() const { return last - first + 1; }
+  };
+  static Splits splits(const Gap& gap);
+  bool grow_from_light(const Gap& gap, int count, Path& y, Rng& rng) const;
+  bool grow_from_eye(const Gap& gap, int count, Path& y, Rng& rng) const;
+
+  const Scene& scene_;
+};
+
+/// Draws whole paths of all lengths, for seeding.
+class PathSampler {
+ public:
+  PathSampler(const Scene& scene, const PathLengths& lengths);
+
+  /// The path's density, over all techniques, or 0 if there is none; in the measure of Path.
+  double sample(Path& path, Rng& rng) const;
+
+ private:
+  BidirectionalSampler sampler_;
+  PathLengths lengths_;
+  DiscreteDistribution distribution_;  // of lengths from lengths_.min on
+};
+
+}  // namespace guidelight
