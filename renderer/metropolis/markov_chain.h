@@ -56,6 +56,8 @@ class MarkovChain {
   template <typename Observe>
   void run(uint64_t steps, Observe&& observe);
 
+  /// Steps taken so far.
+  uint64_t steps() const { return steps_; }
   /// By index in the set.
   const std::vector<MutationStatistics>& statistics() const { return statistics_; }
 
@@ -70,8 +72,9 @@ class MarkovChain {
   Path current_;
   Path candidate_;
   float suitable_weight_;  // of the current path
-  size_t origin_ = 0;      // mutation that proposed the current path
-  double weight_ = 0;      // of the current path, not shown yet
+  uint64_t steps_ = 0;
+  size_t origin_ = 0;  // mutation that proposed the current path
+  double weight_ = 0;  // of the current path, not shown yet
   std::vector<MutationStatistics> statistics_;
 };
 
@@ -102,6 +105,7 @@ void MarkovChain::run(uint64_t steps, Observe&& observe) {
   }
   show(current_, weight_, origin_, observe);
   weight_ = 0;
+  steps_ += steps;
 }
 
 }  // namespace guidelight

@@ -87,6 +87,8 @@ std::vector<Method> methods(const ComparisonScene& scene) {
       {"sppm", "scene_radius=0.5,light_paths=2", 6},
       {"photon_map", "light_paths=30000,neighbors=20,gather_rays=50", 3},
       {"photon_map", "light_paths=30000,neighbors=20,gather_rays=4,irradiance_cache=false", 3},
+      {"mlt", "mutations=16", 6},
+      {"mlt", "mutations=16,separate_direct=false", 6},
   };
   if (scene.is_diffuse) {
     list.push_back({"light", "", 8});
