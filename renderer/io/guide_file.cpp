@@ -14,6 +14,7 @@ namespace guidelight {
 namespace {
 
 using nlohmann::json;
+using nlohmann::ordered_json;
 
 constexpr const char* kMark = "guidelight_guides";
 constexpr int kVersion = 1;
@@ -25,23 +26,43 @@ constexpr std::array<const char*, 3> kEventNames = {"scatter", "reflect", "refra
 json number(float value) { return std::stod(fmt::format("{}", value)); }
 json vector(Vec3 v) { return {number(v.x), number(v.y), number(v.z)}; }
 
-json to_json(const GuideVertex& vertex) {
-  // Nine digits are enough to find the angle in radians again.
-  const double degrees = std::stod(fmt::format("{:.9g}", vertex.cone / kDegree));
-  return {{"position", vector(vertex.position)},
-          {"event", kEventNames[static_cast<size_t>(vertex.event)]},
-          {"cone", degrees}};
+float radians(double degrees) { return static_cast<float>(degrees * kDegree); }
+
+/// The shortest number of degrees that is read back to the same angle.
+double degrees(float angle) {
+  double rounded = angle / kDegree;
+  for (int digits = 1; digits <= 9; ++digits) {
+    rounded = std::stod(fmt::format("{:.{}g}", angle / kDegree, digits));
+    if (radians(rounded) == angle) break;
+  }
+  return rounded;
 }
 
-json to_json(const GuidePath& guide) {
-  json vertices = json::array();
-  for (const GuideVertex& vertex : guide.vertices) vertices.push_back(to_json(vertex));
-  return {{"name", guide.name},
-          {"color", vector(guide.color)},
-          {"enabled", guide.enabled},
-          {"weight", number(guide.weight)},
-          {"disc_radius", number(guide.disc_radius)},
-          {"vertices", std::move(vertices)}};
+/// What is not used or goes without saying is left out.
+std::string to_text(const GuideVertex& vertex) {
+  ordered_json object = {{"position", vector(vertex.position)}};
+  if (vertex.event == PathEvent::Scatter) {
+    object["cone"] = degrees(vertex.cone);
+  } else {
+    object["event"] = kEventNames[static_cast<size_t>(vertex.event)];
+  }
+  return object.dump();
+}
+
+/// A line for the guide and one for each vertex.
+std::string to_text(const GuidePath& guide) {
+  const ordered_json object = {{"name", guide.name},
+                               {"color", vector(guide.color)},
+                               {"enabled", guide.enabled},
+                               {"weight", number(guide.weight)},
+                               {"disc_radius", number(guide.disc_radius)}};
+  std::string text = object.dump();
+  text.back() = ',';
+  text += "\"vertices\":[";
+  for (const GuideVertex& vertex : guide.vertices) {
+    text += fmt::format("{}\n    {}", text.back() == '[' ? "" : ",", to_text(vertex));
+  }
+  return text + "]}";
 }
 
 /// One object of the file; `where` names it in errors.
@@ -121,7 +142,7 @@ GuideVertex read_vertex(const json& object, const std::string& where) {
   vertex.event = read_event(reader);
   const json* cone = reader.find("cone");
   if (cone && !cone->is_number()) reader.fail("'cone' is not a number: give degrees");
-  if (cone) vertex.cone = static_cast<float>(cone->get<double>() * kDegree);
+  if (cone) vertex.cone = radians(cone->get<double>());
   if (!(vertex.cone > 0 && vertex.cone <= 0.5f * kPi)) {
     reader.fail("the cone is {}: give degrees above 0 and up to 90", vertex.cone / kDegree);
   }
@@ -183,11 +204,12 @@ std::vector<GuidePath> read_guides(const std::string& path) {
 }
 
 std::string guides_text(const std::vector<GuidePath>& guides) {
-  json list = json::array();
-  for (const GuidePath& guide : guides) list.push_back(to_json(guide));
-  const json document = {{kMark, kVersion}, {"guides", std::move(list)}};
+  std::string text = fmt::format("{{\"{}\":{},\"guides\":[", kMark, kVersion);
   try {
-    return document.dump(1) + '\n';
+    for (const GuidePath& guide : guides) {
+      text += fmt::format("{}\n  {}", text.back() == '[' ? "" : ",", to_text(guide));
+    }
+    return text + "\n]}\n";
   } catch (const json::exception& error) {
     throw Error("The guides cannot be written as text: {}; give them names in UTF-8.",
                 error.what());

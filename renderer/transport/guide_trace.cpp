@@ -62,22 +62,47 @@ std::optional<GuideSegment> trace_guide_segment(const Scene& scene, Ray ray,
   return std::nullopt;
 }
 
-std::optional<GuidePath> trace_guide(const Scene& scene, Vec3 start, Vec3 direction, int bounces,
-                                     SpecularChoice choice) {
+namespace {
+
+/// `next_direction(segment, i)` leads from the end of a segment to the next, the i-th.
+template <typename NextDirection>
+std::optional<GuidePath> trace_segments(const Scene& scene, Vec3 start, Vec3 direction,
+                                        size_t count, SpecularChoice choice,
+                                        NextDirection next_direction) {
   GuidePath guide;
   const auto origin = find_light(scene, start, direction);
   const bool has_surface = origin && origin->point.light;
   guide.vertices.push_back({origin ? origin->point.position : start});
   Ray ray = has_surface ? origin->point.spawn_ray(direction)
                         : Ray{guide.vertices[0].position, direction, kInfinity};
-  for (int i = 0; i < bounces; ++i) {
+  for (size_t i = 0; i < count;) {
     const auto segment = trace_guide_segment(scene, ray, choice);
     if (!segment) break;
     guide.vertices.insert(guide.vertices.end(), segment->vertices.begin(), segment->vertices.end());
-    const Vec3 normal = segment->end.geometric_normal;
-    ray = segment->end.spawn_ray(glm::reflect(segment->arrival, normal));
+    if (++i < count) ray = segment->end.spawn_ray(next_direction(*segment, i));
   }
   return guide.vertices.size() > 1 ? std::optional(guide) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<GuidePath> trace_guide(const Scene& scene, Vec3 start, Vec3 direction, int bounces,
+                                     SpecularChoice choice) {
+  const auto as_from_a_mirror = [](const GuideSegment& segment, size_t) {
+    return glm::reflect(segment.arrival, segment.end.geometric_normal);
+  };
+  return trace_segments(scene, start, direction, static_cast<size_t>(std::max(bounces, 0)), choice,
+                        as_from_a_mirror);
+}
+
+std::optional<GuidePath> trace_guide_through(const Scene& scene, Vec3 start,
+                                             std::span<const Vec3> targets, SpecularChoice choice) {
+  if (targets.empty()) return std::nullopt;
+  const auto towards_target = [&](const GuideSegment& segment, size_t i) {
+    return glm::normalize(targets[i] - segment.end.position);
+  };
+  return trace_segments(scene, start, glm::normalize(targets[0] - start), targets.size(), choice,
+                        towards_target);
 }
 
 std::optional<GuideSegment> solve_guide_segment(const Scene& scene, const SurfacePoint& from,
