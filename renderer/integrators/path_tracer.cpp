@@ -165,13 +165,12 @@ class TilePaths {
     if (!choice) return;
     const auto sample = choice->light->sample_direct(point.position, path.rng.next_vec2());
     if (!sample) return;
-    const Color value = scattering.value(sample->wi);
-    if (is_black(value)) return;
+    const BsdfEvaluation bsdf = scattering.evaluate(sample->wi);
+    if (is_black(bsdf.value)) return;
     const float pdf = sample->pdf * choice->probability;
     // A delta light cannot be hit by chance: next-event estimation stands alone.
-    const float weight =
-        choice->light->is_delta() ? 1.0f : power_heuristic(pdf, scattering.pdf(sample->wi));
-    Color contribution = path.throughput * value * sample->radiance * (weight / pdf);
+    const float weight = choice->light->is_delta() ? 1.0f : power_heuristic(pdf, bsdf.pdf);
+    Color contribution = path.throughput * bsdf.value * sample->radiance * (weight / pdf);
     if (const Medium* medium = medium_beyond(point, sample->wi, path.medium)) {
       contribution *= medium->transmittance(sample->distance);
     }

@@ -21,8 +21,8 @@ class SharpScattering {
 
   bool operator()(const PathVertex& vertex, const Scattering& scattering, Vec3 wi) const {
     if (!(vertex.point.bsdf->lobes() & kLobeGlossy)) return false;
-    const float density = std::max(scattering.pdf(wi), scattering.pdf_reverse(wi));
-    return density * vertex.survival > bound_;
+    const BsdfEvaluation bsdf = scattering.evaluate(wi);
+    return std::max(bsdf.pdf, bsdf.pdf_reverse) * vertex.survival > bound_;
   }
 
   /// The event at the origin of a path's current segment, where that is a vertex.

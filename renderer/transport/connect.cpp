@@ -21,15 +21,15 @@ std::optional<DirectConnection> connect_to_light(const Scene& scene, const PathV
   const SurfacePoint& point = vertex.point;
   const auto sample = light.sample_direct(point.position, u_point);
   if (!sample || is_black(sample->radiance)) return std::nullopt;
-  const Color value = scattering.value(sample->wi);
-  if (is_black(value)) return std::nullopt;
+  const BsdfEvaluation bsdf = scattering.evaluate(sample->wi);
+  if (is_black(bsdf.value)) return std::nullopt;
 
   DirectConnection result;
   const float pdf = sample->pdf * choice->probability;
-  result.contribution = vertex.throughput * value * sample->radiance / pdf *
+  result.contribution = vertex.throughput * bsdf.value * sample->radiance / pdf *
                         segment_transmittance(vertex, sample->wi, sample->distance);
-  result.pdf_backward = scattering.pdf_reverse(sample->wi) * vertex.survival;
-  result.hit_ratio = light.is_delta() ? 0.0f : scattering.pdf(sample->wi) * vertex.survival / pdf;
+  result.pdf_backward = bsdf.pdf_reverse * vertex.survival;
+  result.hit_ratio = light.is_delta() ? 0.0f : bsdf.pdf * vertex.survival / pdf;
   // Emission: position × direction, taken to the vertex by cosθ/d². Direct: pdf per solid angle,
   // taken to the light by cosθ_light/d². The squares cancel except where direct light has no
   // density to convert.
@@ -51,20 +51,20 @@ std::optional<VertexConnection> connect_vertices(const PathVertex& light,
   if (!(squared > 0)) return std::nullopt;
   const float distance = std::sqrt(squared);
   const Vec3 w = to_light / distance;
-  const Color at_camera = camera_scattering.value(w);
-  if (is_black(at_camera)) return std::nullopt;
-  const Color at_light = light_scattering.value(-w);
-  if (is_black(at_light)) return std::nullopt;
+  const BsdfEvaluation at_camera = camera_scattering.evaluate(w);
+  if (is_black(at_camera.value)) return std::nullopt;
+  const BsdfEvaluation at_light = light_scattering.evaluate(-w);
+  if (is_black(at_light.value)) return std::nullopt;
 
   VertexConnection result;
-  result.contribution = camera.throughput * at_camera * at_light * light.throughput / squared *
-                        segment_transmittance(camera, w, distance);
-  result.pdf_backward_camera = camera_scattering.pdf_reverse(w) * camera.survival;
-  result.pdf_backward_light = light_scattering.pdf_reverse(-w) * light.survival;
+  result.contribution = camera.throughput * at_camera.value * at_light.value * light.throughput /
+                        squared * segment_transmittance(camera, w, distance);
+  result.pdf_backward_camera = at_camera.pdf_reverse * camera.survival;
+  result.pdf_backward_light = at_light.pdf_reverse * light.survival;
   result.pdf_arrival_light =
-      camera_scattering.pdf(w) * camera.survival * abs_cos_geometric(light, w) / squared;
+      at_camera.pdf * camera.survival * abs_cos_geometric(light, w) / squared;
   result.pdf_arrival_camera =
-      light_scattering.pdf(-w) * light.survival * abs_cos_geometric(camera, w) / squared;
+      at_light.pdf * light.survival * abs_cos_geometric(camera, w) / squared;
   result.shadow_ray = camera.point.spawn_ray_to(light.point);
   return result;
 }
@@ -73,20 +73,20 @@ std::optional<LensConnection> connect_to_lens(const Camera& camera, const PathVe
                                               const Scattering& scattering, Vec2 u_lens) {
   const auto lens = camera.connect(vertex.point.position, u_lens);
   if (!lens) return std::nullopt;
-  const Color value = scattering.value(lens->direction);
-  if (is_black(value)) return std::nullopt;
+  const BsdfEvaluation bsdf = scattering.evaluate(lens->direction);
+  if (is_black(bsdf.value)) return std::nullopt;
 
   LensConnection result;
   const float squared = sqr(lens->distance);
   result.raster = lens->raster;
   result.distance = lens->distance;
-  result.contribution = vertex.throughput * value *
+  result.contribution = vertex.throughput * bsdf.value *
                         (lens->importance * lens->cos_camera / (squared * lens->pdf_lens)) *
                         segment_transmittance(vertex, lens->direction, lens->distance);
   const bool is_parallel = camera.description().model == CameraModel::Orthographic;
   result.pdf_arrival = lens->pdf_direction * abs_cos_geometric(vertex, lens->direction) /
                        (is_parallel ? 1.0f : squared);
-  result.pdf_backward = scattering.pdf_reverse(lens->direction) * vertex.survival;
+  result.pdf_backward = bsdf.pdf_reverse * vertex.survival;
   // Nothing between the lens and the near clip stands in the way.
   const float clipped = camera.description().near_clip / lens->cos_camera;
   result.shadow_ray = vertex.point.spawn_ray_to(lens->lens_position - clipped * lens->direction);

@@ -209,22 +209,22 @@ void CameraStage::merge(uint32_t index, const PathVertex& vertex, const Scatteri
   if (!setup_.is_shown(photon.length() + vertex.length)) return;
   if (photon.caustic() && vertex.length == 1 && !weights.counts().merge_direct) return;
   const Vec3 wi = photon.direction();
-  const Color value = scattering.value(wi);
-  if (is_black(value)) return;
+  const BsdfEvaluation bsdf = scattering.evaluate(wi);
+  if (is_black(bsdf.value)) return;
   float weight = 1;
   if (setup_.settings.kind != BidirectionalKind::ProbabilisticPpm) {
     weight = path_weight(weights, vertex,
                          {.photon = photon.partials,
                           .photon_length = photon.length(),
-                          .pdf_to_light = scattering.pdf(wi) * vertex.survival,
-                          .pdf_to_camera = scattering.pdf_reverse(wi) * vertex.survival},
+                          .pdf_to_light = bsdf.pdf * vertex.survival,
+                          .pdf_to_camera = bsdf.pdf_reverse * vertex.survival},
                          states_[index].eta);
   }
   // Photons arrive through the true surface: their flux already contains its cosine.
   const float cosine = std::abs(glm::dot(wi, vertex.point.geometric_normal));
   const float scale = kernel / (cosine * static_cast<float>(setup_.light_path_count));
   add(index, photon.length() + 1, vertex.length + 1,
-      vertex.throughput * value * photon.power() * scale, weight,
+      vertex.throughput * bsdf.value * photon.power() * scale, weight,
       photon.caustic() && vertex.is_specular_chain, true);
 }
 

@@ -12,12 +12,12 @@ class Blend final : public Bsdf {
   Blend(FloatTexture weight, BsdfPointer first, BsdfPointer second)
       : weight_(std::move(weight)), first_(std::move(first)), second_(std::move(second)) {}
 
-  Color eval(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
-    return glm::mix(first_->eval(point, wo, wi), second_->eval(point, wo, wi), weight(point));
-  }
-
-  float pdf(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
-    return glm::mix(first_->pdf(point, wo, wi), second_->pdf(point, wo, wi), weight(point));
+  BsdfEvaluation evaluate(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
+    const BsdfEvaluation a = first_->evaluate(point, wo, wi);
+    const BsdfEvaluation b = second_->evaluate(point, wo, wi);
+    const float share = weight(point);
+    return {glm::mix(a.value, b.value, share), glm::mix(a.pdf, b.pdf, share),
+            glm::mix(a.pdf_reverse, b.pdf_reverse, share)};
   }
 
   std::optional<BsdfSample> sample(const SurfacePoint& point, Vec3 wo, float u_lobe,
@@ -29,9 +29,10 @@ class Blend final : public Bsdf {
                   : first_->sample(point, wo, reuse_above(u_lobe, p_second), u);
     if (!drawn) return std::nullopt;
     if (!drawn->is_delta()) {
-      drawn->pdf = pdf(point, wo, drawn->wi);
-      if (!(drawn->pdf > 0)) return std::nullopt;
-      drawn->weight = eval(point, wo, drawn->wi) / drawn->pdf;
+      const BsdfEvaluation both = evaluate(point, wo, drawn->wi);
+      if (!(both.pdf > 0)) return std::nullopt;
+      drawn->pdf = both.pdf;
+      drawn->weight = both.value / both.pdf;
       return drawn;
     }
     const std::optional<SpecularEvent> event = specular(point, wo, drawn->lobe);

@@ -34,6 +34,14 @@ struct BsdfSample {
   bool is_delta() const { return lobe & kLobeDelta; }
 };
 
+/// What the finite lobes do between two directions; delta lobes are never seen here.
+struct BsdfEvaluation {
+  Color value{0.0f};      // f(wo, wi)·|cosθ_i|
+  float pdf = 0;          // of sample() to draw wi by a finite lobe, per solid angle, the choice of
+                          // lobe included
+  float pdf_reverse = 0;  // the same for drawing wo if the path came from wi
+};
+
 /// One perfectly specular event, for walks that choose it rather than draw it.
 struct SpecularEvent {
   Vec3 wi;
@@ -52,11 +60,15 @@ class Bsdf {
  public:
   virtual ~Bsdf() = default;
 
-  /// f(wo, wi)·|cosθ_i| of the finite lobes; delta lobes are never seen by eval.
-  virtual Color eval(const SurfacePoint& point, Vec3 wo, Vec3 wi) const = 0;
+  virtual BsdfEvaluation evaluate(const SurfacePoint& point, Vec3 wo, Vec3 wi) const = 0;
 
-  /// Density of sample() to draw wi by a finite lobe, per solid angle, the choice of lobe included.
-  virtual float pdf(const SurfacePoint& point, Vec3 wo, Vec3 wi) const = 0;
+  // One of the three alone.
+  Color eval(const SurfacePoint& point, Vec3 wo, Vec3 wi) const {
+    return evaluate(point, wo, wi).value;
+  }
+  float pdf(const SurfacePoint& point, Vec3 wo, Vec3 wi) const {
+    return evaluate(point, wo, wi).pdf;
+  }
 
   /// u_lobe chooses, u directs. Empty where nothing is scattered.
   virtual std::optional<BsdfSample> sample(const SurfacePoint& point, Vec3 wo, float u_lobe,

@@ -12,8 +12,7 @@ class ClearInterface : public Bsdf {
   ClearInterface(ColorTexture reflectance, ColorTexture transmittance)
       : reflectance_(std::move(reflectance)), transmittance_(std::move(transmittance)) {}
 
-  Color eval(const SurfacePoint&, Vec3, Vec3) const final { return Color(0.0f); }
-  float pdf(const SurfacePoint&, Vec3, Vec3) const final { return 0; }
+  BsdfEvaluation evaluate(const SurfacePoint&, Vec3, Vec3) const final { return {}; }
 
   std::optional<BsdfSample> sample(const SurfacePoint& point, Vec3 wo, float u_lobe,
                                    Vec2) const final {

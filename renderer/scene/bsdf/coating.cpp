@@ -19,22 +19,17 @@ class Coating final : public Bsdf {
     specular_weight_ = 1 / (1 + (mean.r + mean.g + mean.b) / 3);
   }
 
-  Color eval(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
-    if (!same_hemisphere(wo, wi)) return Color(0.0f);
+  BsdfEvaluation evaluate(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
+    if (!same_hemisphere(wo, wi)) return {};
     const Crossing out = enter(wo);
     const Crossing in = enter(wi);
-    if (out.reflected == 1 || in.reflected == 1) return Color(0.0f);
-    return nested_->eval(point, out.inside, in.inside) * attenuation(point, out, in) *
-           solid_angle_ratio(wi, in);
-  }
-
-  float pdf(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
-    if (!same_hemisphere(wo, wi)) return 0;
-    const Crossing out = enter(wo);
-    const Crossing in = enter(wi);
-    if (out.reflected == 1 || in.reflected == 1) return 0;
-    return (1 - specular_probability(out.reflected)) * nested_->pdf(point, out.inside, in.inside) *
-           solid_angle_ratio(wi, in);
+    if (out.reflected == 1 || in.reflected == 1) return {};
+    BsdfEvaluation result = nested_->evaluate(point, out.inside, in.inside);
+    const float ratio = solid_angle_ratio(wi, in);
+    result.value *= attenuation(point, out, in) * ratio;
+    result.pdf *= (1 - specular_probability(out.reflected)) * ratio;
+    result.pdf_reverse *= (1 - specular_probability(in.reflected)) * solid_angle_ratio(wo, out);
+    return result;
   }
 
   std::optional<BsdfSample> sample(const SurfacePoint& point, Vec3 wo, float u_lobe,
@@ -108,8 +103,8 @@ class Coating final : public Bsdf {
   }
 
   /// dω inside / dω outside.
-  float solid_angle_ratio(Vec3 outside, const Crossing& in) const {
-    return outside.z / (in.inside.z * eta_ * eta_);
+  float solid_angle_ratio(Vec3 outside, const Crossing& crossing) const {
+    return outside.z / (crossing.inside.z * eta_ * eta_);
   }
 
   float specular_probability(float reflected) const {

@@ -22,8 +22,7 @@ class SmoothConductor final : public Bsdf {
  public:
   explicit SmoothConductor(Metal metal) : metal_(std::move(metal)) {}
 
-  Color eval(const SurfacePoint&, Vec3, Vec3) const override { return Color(0.0f); }
-  float pdf(const SurfacePoint&, Vec3, Vec3) const override { return 0; }
+  BsdfEvaluation evaluate(const SurfacePoint&, Vec3, Vec3) const override { return {}; }
 
   std::optional<BsdfSample> sample(const SurfacePoint& point, Vec3 wo, float, Vec2) const override {
     if (wo.z <= 0) return std::nullopt;
@@ -53,19 +52,11 @@ class RoughConductor final : public Bsdf {
         alpha_v_(std::move(alpha_v)),
         kind_(kind) {}
 
-  Color eval(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
-    if (wo.z <= 0 || wi.z <= 0) return Color(0.0f);
-    const MicrofacetDistribution facets = distribution(point);
+  BsdfEvaluation evaluate(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
+    if (wo.z <= 0 || wi.z <= 0) return {};
     const Vec3 m = glm::normalize(wo + wi);
-    const float value =
-        facets.density(m) * facets.shadowing_masking(wo, wi, m) / (4 * wo.z);  // (20)
-    return value * metal_.reflectance(point, glm::dot(wi, m));
-  }
-
-  float pdf(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
-    if (wo.z <= 0 || wi.z <= 0) return 0;
-    const Vec3 m = glm::normalize(wo + wi);
-    return distribution(point).pdf_visible(wo, m) / (4 * glm::dot(wo, m));  // (14)
+    const FacetReflection facet = distribution(point).reflection(wo, wi, m);
+    return {facet.value * metal_.reflectance(point, glm::dot(wi, m)), facet.pdf, facet.pdf_reverse};
   }
 
   std::optional<BsdfSample> sample(const SurfacePoint& point, Vec3 wo, float,

@@ -34,23 +34,20 @@ class RoughDielectric final : public Bsdf {
         alpha_v_(std::move(alpha_v)),
         kind_(kind) {}
 
-  Color eval(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
+  BsdfEvaluation evaluate(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
     const std::optional<Facet> facet = facet_between(wo, wi);
-    if (!facet) return Color(0.0f);
+    if (!facet) return {};
     const MicrofacetDistribution facets = distribution(point);
+    // Fresnel's reflectance is the same from the other side.
     const float reflected = fresnel_dielectric(facet->cos_o, eta_).reflectance;
-    const float common = facets.density(facet->m) * facets.shadowing_masking(wo, wi, facet->m) *
-                         std::abs(facet->cos_o / wo.z) * facet->jacobian;  // (20), (21)
-    return common * (facet->is_reflection ? reflected * reflectance_.eval(point)
-                                          : (1 - reflected) * transmittance_.eval(point));
-  }
-
-  float pdf(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
-    const std::optional<Facet> facet = facet_between(wo, wi);
-    if (!facet) return 0;
-    const float reflected = fresnel_dielectric(facet->cos_o, eta_).reflectance;
-    return (facet->is_reflection ? reflected : 1 - reflected) * facet->jacobian *
-           distribution(point).pdf_visible(std::copysign(1.0f, wo.z) * wo, facet->m);
+    const float density =
+        facets.density(facet->m) * (facet->is_reflection ? reflected : 1 - reflected);
+    const float visible_i = facets.masking(wi, facet->m);
+    const float pdf =
+        density * facets.masking(wo, facet->m) * std::abs(facet->cos_o / wo.z) * facet->jacobian;
+    const ColorTexture& color = facet->is_reflection ? reflectance_ : transmittance_;
+    return {pdf * visible_i * color.eval(point), pdf,  // (20), (21)
+            density * visible_i * std::abs(facet->cos_i / wi.z) * facet->jacobian_reverse};
   }
 
   std::optional<BsdfSample> sample(const SurfacePoint& point, Vec3 wo, float u_lobe,
@@ -86,8 +83,10 @@ class RoughDielectric final : public Bsdf {
   /// The microfacet that sends wo to wi; its normal is on the outside.
   struct Facet {
     Vec3 m;
-    float cos_o;     // wo·m
-    float jacobian;  // dω_m / dω_wi
+    float cos_o;             // wo·m
+    float cos_i;             // wi·m
+    float jacobian;          // dω_m / dω_wi
+    float jacobian_reverse;  // dω_m / dω_wo
     bool is_reflection;
   };
 
@@ -103,9 +102,16 @@ class RoughDielectric final : public Bsdf {
     const float cos_o = glm::dot(wo, m);
     const float cos_i = glm::dot(wi, m);
     if (cos_o * wo.z <= 0 || cos_i * wi.z <= 0) return std::nullopt;  // seen from behind
-    const float jacobian = is_reflection ? 1 / (4 * std::abs(cos_i))  // (14)
-                                         : refraction_jacobian(cos_o, cos_i, ratio);
-    return Facet{m, cos_o, jacobian, is_reflection};
+    if (is_reflection) {
+      const float jacobian = 1 / (4 * std::abs(cos_i));  // (14)
+      return Facet{m, cos_o, cos_i, jacobian, jacobian, true};
+    }
+    return Facet{m,
+                 cos_o,
+                 cos_i,
+                 refraction_jacobian(cos_o, cos_i, ratio),
+                 refraction_jacobian(cos_i, cos_o, 1 / ratio),
+                 false};
   }
 
   /// (17); `ratio` is the IOR on the side of wi over that on the side of wo.

@@ -9,13 +9,10 @@ class Diffuse final : public Bsdf {
  public:
   explicit Diffuse(ColorTexture reflectance) : reflectance_(std::move(reflectance)) {}
 
-  Color eval(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
-    if (wo.z <= 0 || wi.z <= 0) return Color(0.0f);
-    return reflectance_.eval(point) * (wi.z * kInvPi);
-  }
-
-  float pdf(const SurfacePoint&, Vec3 wo, Vec3 wi) const override {
-    return wo.z > 0 ? cosine_hemisphere_pdf(wi.z) : 0.0f;
+  BsdfEvaluation evaluate(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
+    if (wo.z <= 0 || wi.z <= 0) return {};
+    const float pdf = wi.z * kInvPi;
+    return {reflectance_.eval(point) * pdf, pdf, wo.z * kInvPi};
   }
 
   std::optional<BsdfSample> sample(const SurfacePoint& point, Vec3 wo, float,

@@ -21,15 +21,12 @@ LobeOverDiffuse::LobeOverDiffuse(ColorTexture diffuse, ColorTexture specular)
       diffuse_(std::move(diffuse)),
       specular_(std::move(specular)) {}
 
-Color LobeOverDiffuse::eval(const SurfacePoint& point, Vec3 wo, Vec3 wi) const {
-  if (wo.z <= 0 || wi.z <= 0) return Color(0.0f);
-  const Color f = diffuse_.eval(point) * kInvPi + specular_.eval(point) * eval_lobe(point, wo, wi);
-  return f * (scale_ * wi.z);
-}
-
-float LobeOverDiffuse::pdf(const SurfacePoint& point, Vec3 wo, Vec3 wi) const {
-  if (wo.z <= 0 || wi.z <= 0) return 0;
-  return glm::mix(cosine_hemisphere_pdf(wi.z), pdf_lobe(point, wo, wi), specular_probability_);
+BsdfEvaluation LobeOverDiffuse::evaluate(const SurfacePoint& point, Vec3 wo, Vec3 wi) const {
+  if (wo.z <= 0 || wi.z <= 0) return {};
+  const SymmetricLobe lobe = evaluate_lobe(point, wo, wi);
+  const Color f = diffuse_.eval(point) * kInvPi + specular_.eval(point) * lobe.f;
+  return {f * (scale_ * wi.z), glm::mix(wi.z * kInvPi, lobe.pdf, specular_probability_),
+          glm::mix(wo.z * kInvPi, lobe.pdf, specular_probability_)};
 }
 
 std::optional<BsdfSample> LobeOverDiffuse::sample(const SurfacePoint& point, Vec3 wo, float u_lobe,

@@ -10,18 +10,22 @@ class LobeOverDiffuse : public Bsdf {
  public:
   LobeOverDiffuse(ColorTexture diffuse, ColorTexture specular);
 
-  Color eval(const SurfacePoint& point, Vec3 wo, Vec3 wi) const final;
-  float pdf(const SurfacePoint& point, Vec3 wo, Vec3 wi) const final;
+  BsdfEvaluation evaluate(const SurfacePoint& point, Vec3 wo, Vec3 wi) const final;
   std::optional<BsdfSample> sample(const SurfacePoint& point, Vec3 wo, float u_lobe,
                                    Vec2 u) const final;
   int lobes() const final { return kLobeDiffuse | kLobeGlossy; }
   Color albedo(const SurfacePoint& point) const final;
 
+ protected:
+  /// The lobe between two directions, the same when they are swapped.
+  struct SymmetricLobe {
+    float f;    // for the specular reflectance 1 [1/sr]
+    float pdf;  // of sample_lobe, per solid angle
+  };
+
  private:
   // Of the lobe alone; both directions are on the outside.
-  /// f(wo, wi) for the specular reflectance 1 [1/sr].
-  virtual float eval_lobe(const SurfacePoint& point, Vec3 wo, Vec3 wi) const = 0;
-  virtual float pdf_lobe(const SurfacePoint& point, Vec3 wo, Vec3 wi) const = 0;
+  virtual SymmetricLobe evaluate_lobe(const SurfacePoint& point, Vec3 wo, Vec3 wi) const = 0;
   /// May point inwards.
   virtual Vec3 sample_lobe(const SurfacePoint& point, Vec3 wo, Vec2 u) const = 0;
 

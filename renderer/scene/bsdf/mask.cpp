@@ -12,12 +12,10 @@ class Mask final : public Bsdf {
   Mask(FloatTexture opacity, BsdfPointer nested)
       : opacity_(std::move(opacity)), nested_(std::move(nested)) {}
 
-  Color eval(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
-    return opacity(point) * nested_->eval(point, wo, wi);
-  }
-
-  float pdf(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
-    return opacity(point) * nested_->pdf(point, wo, wi);
+  BsdfEvaluation evaluate(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
+    const BsdfEvaluation nested = nested_->evaluate(point, wo, wi);
+    const float covered = opacity(point);
+    return {covered * nested.value, covered * nested.pdf, covered * nested.pdf_reverse};
   }
 
   std::optional<BsdfSample> sample(const SurfacePoint& point, Vec3 wo, float u_lobe,

@@ -15,6 +15,13 @@ inline bool is_smooth(const FloatTexture& alpha) {
   return alpha.is_constant() && alpha.mean() < kMinAlpha;
 }
 
+/// What perfectly mirroring facets do between two directions on their outside.
+struct FacetReflection {
+  float value;        // f(wo, wi)·|cosθ_i|
+  float pdf;          // of wi by reflection at a visible normal, per solid angle
+  float pdf_reverse;  // of wo, if the path came from wi
+};
+
 /// Distribution of microfacet normals with Smith's masking, separable in the two directions as in
 /// Walter et al. 2007, "Microfacet Models for Refraction through Rough Surfaces" (equation numbers
 /// below), stretched to two roughnesses. All directions are local; normals m have m.z > 0.
@@ -31,8 +38,13 @@ class MicrofacetDistribution {
 
   /// Share of the facets with normal m that is visible from w; zero for facets seen from behind.
   float masking(Vec3 w, Vec3 m) const { return glm::dot(w, m) * w.z > 0 ? masking(w) : 0.0f; }
-  float shadowing_masking(Vec3 wo, Vec3 wi, Vec3 m) const {
-    return masking(wo, m) * masking(wi, m);
+
+  /// `m` is halfway between the directions, wo.z > 0 and wi.z > 0.
+  FacetReflection reflection(Vec3 wo, Vec3 wi, Vec3 m) const {
+    const float quarter_density = 0.25f * density(m);
+    const float visible_i = masking(wi, m);
+    const float pdf = masking(wo, m) * quarter_density / wo.z;          // (14)
+    return {pdf * visible_i, pdf, visible_i * quarter_density / wi.z};  // value: (20)
   }
 
   /// Draws a normal among those visible from w, w.z > 0.

@@ -6,8 +6,7 @@ namespace {
 /// Everything passes straight through.
 class Null final : public Bsdf {
  public:
-  Color eval(const SurfacePoint&, Vec3, Vec3) const override { return Color(0.0f); }
-  float pdf(const SurfacePoint&, Vec3, Vec3) const override { return 0; }
+  BsdfEvaluation evaluate(const SurfacePoint&, Vec3, Vec3) const override { return {}; }
 
   std::optional<BsdfSample> sample(const SurfacePoint&, Vec3 wo, float, Vec2) const override {
     return BsdfSample{-wo, Color(1.0f), 1.0f, 1.0f, kLobeDeltaTransmission};

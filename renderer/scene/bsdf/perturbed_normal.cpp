@@ -9,11 +9,8 @@ class PerturbedNormal : public Bsdf {
  public:
   explicit PerturbedNormal(BsdfPointer nested) : nested_(std::move(nested)) {}
 
-  Color eval(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
-    return nested_->eval(point, wo, wi);
-  }
-  float pdf(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
-    return nested_->pdf(point, wo, wi);
+  BsdfEvaluation evaluate(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
+    return nested_->evaluate(point, wo, wi);
   }
   std::optional<BsdfSample> sample(const SurfacePoint& point, Vec3 wo, float u_lobe,
                                    Vec2 u) const override {

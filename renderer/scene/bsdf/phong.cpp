@@ -12,14 +12,10 @@ class Phong final : public LobeOverDiffuse {
       : LobeOverDiffuse(std::move(diffuse), std::move(specular)), exponent_(std::move(exponent)) {}
 
  private:
-  float eval_lobe(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
+  SymmetricLobe evaluate_lobe(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
     const float n = exponent(point);
-    return (n + 2) * 0.5f * kInvPi * cosine_power(wo, wi, n);
-  }
-
-  float pdf_lobe(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
-    const float n = exponent(point);
-    return (n + 1) * 0.5f * kInvPi * cosine_power(wo, wi, n);
+    const float power = 0.5f * kInvPi * cosine_power(wo, wi, n);
+    return {(n + 2) * power, (n + 1) * power};
   }
 
   Vec3 sample_lobe(const SurfacePoint& point, Vec3 wo, Vec2 u) const override {

@@ -16,14 +16,13 @@ class SmoothPlastic final : public Bsdf {
         base_(std::move(base)),
         specular_(std::move(specular)) {}
 
-  Color eval(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
-    if (wo.z <= 0 || wi.z <= 0) return Color(0.0f);
-    return base_.eval(point) * (transmittance(wo) * transmittance(wi) * wi.z * kInvPi);
-  }
-
-  float pdf(const SurfacePoint&, Vec3 wo, Vec3 wi) const override {
-    if (wo.z <= 0) return 0;
-    return (1 - specular_probability(1 - transmittance(wo))) * cosine_hemisphere_pdf(wi.z);
+  BsdfEvaluation evaluate(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
+    if (wo.z <= 0 || wi.z <= 0) return {};
+    const float through_o = transmittance(wo);
+    const float through_i = transmittance(wi);
+    return {base_.eval(point) * (through_o * through_i * wi.z * kInvPi),
+            (1 - specular_probability(1 - through_o)) * wi.z * kInvPi,
+            (1 - specular_probability(1 - through_i)) * wo.z * kInvPi};
   }
 
   std::optional<BsdfSample> sample(const SurfacePoint& point, Vec3 wo, float u_lobe,

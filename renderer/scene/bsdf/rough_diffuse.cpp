@@ -14,8 +14,8 @@ class RoughDiffuse final : public Bsdf {
   RoughDiffuse(ColorTexture reflectance, FloatTexture alpha)
       : reflectance_(std::move(reflectance)), alpha_(std::move(alpha)) {}
 
-  Color eval(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
-    if (wo.z <= 0 || wi.z <= 0) return Color(0.0f);
+  BsdfEvaluation evaluate(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
+    if (wo.z <= 0 || wi.z <= 0) return {};
     const float theta_i = std::acos(std::min(wi.z, 1.0f));
     const float theta_o = std::acos(std::min(wo.z, 1.0f));
     const float alpha = std::max(theta_i, theta_o);
@@ -32,11 +32,8 @@ class RoughDiffuse final : public Bsdf {
     const float interreflected =
         0.17f * sigma2 / (sigma2 + 0.13f) * (1 - cos_phi * sqr(2 * beta * kInvPi));  // (28)
     const Color rho = reflectance_.eval(point);
-    return rho * (direct + rho * interreflected) * (wi.z * kInvPi);
-  }
-
-  float pdf(const SurfacePoint&, Vec3 wo, Vec3 wi) const override {
-    return wo.z > 0 ? cosine_hemisphere_pdf(wi.z) : 0.0f;
+    const float pdf = wi.z * kInvPi;
+    return {rho * (direct + rho * interreflected) * pdf, pdf, wo.z * kInvPi};
   }
 
   std::optional<BsdfSample> sample(const SurfacePoint& point, Vec3 wo, float,
@@ -44,8 +41,8 @@ class RoughDiffuse final : public Bsdf {
     if (wo.z <= 0) return std::nullopt;
     const Vec3 wi = square_to_cosine_hemisphere(u);
     if (wi.z <= 0) return std::nullopt;
-    const float density = cosine_hemisphere_pdf(wi.z);
-    return BsdfSample{wi, eval(point, wo, wi) / density, density, 1.0f, kLobeDiffuse};
+    const BsdfEvaluation drawn = evaluate(point, wo, wi);
+    return BsdfSample{wi, drawn.value / drawn.pdf, drawn.pdf, 1.0f, kLobeDiffuse};
   }
 
   int lobes() const override { return kLobeDiffuse; }

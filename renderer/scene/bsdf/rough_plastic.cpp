@@ -20,32 +20,25 @@ class RoughPlastic final : public Bsdf {
         kind_(kind),
         interface_(std::move(interface)) {}
 
-  Color eval(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
-    if (wo.z <= 0 || wi.z <= 0) return Color(0.0f);
-    const float alpha = alpha_.eval(point);
-    const MicrofacetDistribution facets(kind_, alpha, alpha);
-    const Vec3 m = glm::normalize(wo + wi);
-    const float specular = fresnel_dielectric(glm::dot(wo, m), eta_).reflectance *
-                           facets.density(m) * facets.shadowing_masking(wo, wi, m) / (4 * wo.z);
-    const float diffuse = interface_.transmittance(wo.z, alpha) *
-                          interface_.transmittance(wi.z, alpha) * wi.z * kInvPi;
-    return specular * specular_.eval(point) + diffuse * base_.eval(point);
-  }
-
-  float pdf(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
-    if (wo.z <= 0 || wi.z <= 0) return 0;
+  BsdfEvaluation evaluate(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
+    if (wo.z <= 0 || wi.z <= 0) return {};
     const float alpha = alpha_.eval(point);
     const Vec3 m = glm::normalize(wo + wi);
-    const float specular =
-        MicrofacetDistribution(kind_, alpha, alpha).pdf_visible(wo, m) / (4 * glm::dot(wo, m));
-    return glm::mix(cosine_hemisphere_pdf(wi.z), specular, specular_probability(wo, alpha));
+    const FacetReflection facet = MicrofacetDistribution(kind_, alpha, alpha).reflection(wo, wi, m);
+    const float specular = fresnel_dielectric(glm::dot(wo, m), eta_).reflectance * facet.value;
+    const float through_o = interface_.transmittance(wo.z, alpha);
+    const float through_i = interface_.transmittance(wi.z, alpha);
+    const float diffuse = through_o * through_i * wi.z * kInvPi;
+    return {specular * specular_.eval(point) + diffuse * base_.eval(point),
+            glm::mix(wi.z * kInvPi, facet.pdf, specular_probability(through_o)),
+            glm::mix(wo.z * kInvPi, facet.pdf_reverse, specular_probability(through_i))};
   }
 
   std::optional<BsdfSample> sample(const SurfacePoint& point, Vec3 wo, float u_lobe,
                                    Vec2 u) const override {
     if (wo.z <= 0) return std::nullopt;
     const float alpha = alpha_.eval(point);
-    if (u_lobe >= specular_probability(wo, alpha)) {
+    if (u_lobe >= specular_probability(interface_.transmittance(wo.z, alpha))) {
       return sample_of_all_lobes(*this, point, wo, square_to_cosine_hemisphere(u), kLobeDiffuse);
     }
     const Vec3 m = MicrofacetDistribution(kind_, alpha, alpha).sample_visible(wo, u);
@@ -56,8 +49,8 @@ class RoughPlastic final : public Bsdf {
   Color albedo(const SurfacePoint& point) const override { return base_.reflectance.eval(point); }
 
  private:
-  float specular_probability(Vec3 wo, float alpha) const {
-    return coat_probability(1 - interface_.transmittance(wo.z, alpha), specular_weight_);
+  float specular_probability(float transmittance) const {
+    return coat_probability(1 - transmittance, specular_weight_);
   }
 
   float eta_;

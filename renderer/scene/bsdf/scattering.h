@@ -39,24 +39,19 @@ class Scattering {
         wo_cos_geometric_(glm::dot(wo, point.geometric_normal)),
         mode_(mode) {}
 
-  Color value(Vec3 wi) const {
+  /// Value and both densities for wi, unit, world; finite lobes only.
+  BsdfEvaluation evaluate(Vec3 wi) const {
     const Vec3 wi_local = point_->frame.to_local(wi);
-    if (leaks(wi, wi_local)) return Color(0.0f);
-    const Color f_cos = point_->bsdf->eval(*point_, wo_local_, wi_local);
-    return f_cos * correction(wi, wi_local, eta_towards(wi_local));
+    if (leaks(wi, wi_local)) return {};
+    BsdfEvaluation result = point_->bsdf->evaluate(*point_, wo_local_, wi_local);
+    result.value *= correction(wi, wi_local, eta_towards(wi_local));
+    return result;
   }
 
-  /// Density of drawing wi from here, per solid angle, finite lobes only.
-  float pdf(Vec3 wi) const {
-    const Vec3 wi_local = point_->frame.to_local(wi);
-    return leaks(wi, wi_local) ? 0.0f : point_->bsdf->pdf(*point_, wo_local_, wi_local);
-  }
-
-  /// Density of drawing wo if the path came from wi, per solid angle, finite lobes only.
-  float pdf_reverse(Vec3 wi) const {
-    const Vec3 wi_local = point_->frame.to_local(wi);
-    return leaks(wi, wi_local) ? 0.0f : point_->bsdf->pdf(*point_, wi_local, wo_local_);
-  }
+  // One of the three alone.
+  Color value(Vec3 wi) const { return evaluate(wi).value; }
+  float pdf(Vec3 wi) const { return evaluate(wi).pdf; }
+  float pdf_reverse(Vec3 wi) const { return evaluate(wi).pdf_reverse; }
 
   std::optional<ScatteringSample> sample(float u_lobe, Vec2 u) const {
     const std::optional<BsdfSample> drawn = point_->bsdf->sample(*point_, wo_local_, u_lobe, u);

@@ -15,9 +15,9 @@ inline float specular_sampling_weight(const ColorTexture& diffuse, const ColorTe
 /// its density and weight are those of all of them together.
 inline std::optional<BsdfSample> sample_of_all_lobes(const Bsdf& bsdf, const SurfacePoint& point,
                                                      Vec3 wo, Vec3 wi, Lobe lobe) {
-  const float pdf = bsdf.pdf(point, wo, wi);
-  if (!(pdf > 0)) return std::nullopt;
-  return BsdfSample{wi, bsdf.eval(point, wo, wi) / pdf, pdf, 1.0f, lobe};
+  const BsdfEvaluation drawn = bsdf.evaluate(point, wo, wi);
+  if (!(drawn.pdf > 0)) return std::nullopt;
+  return BsdfSample{wi, drawn.value / drawn.pdf, drawn.pdf, 1.0f, lobe};
 }
 
 }  // namespace guidelight

@@ -9,12 +9,8 @@ class TwoSided final : public Bsdf {
   TwoSided(BsdfPointer front, BsdfPointer back)
       : front_(std::move(front)), back_(std::move(back)) {}
 
-  Color eval(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
-    return side(wo).eval(point, up(wo, wo), up(wi, wo));
-  }
-
-  float pdf(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
-    return side(wo).pdf(point, up(wo, wo), up(wi, wo));
+  BsdfEvaluation evaluate(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
+    return side(wo).evaluate(point, up(wo, wo), up(wi, wo));
   }
 
   std::optional<BsdfSample> sample(const SurfacePoint& point, Vec3 wo, float u_lobe,

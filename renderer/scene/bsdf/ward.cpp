@@ -19,18 +19,12 @@ class Ward final : public LobeOverDiffuse {
         alpha_v_(std::move(alpha_v)) {}
 
  private:
-  float eval_lobe(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
+  SymmetricLobe evaluate_lobe(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
     const Vec3 h = wo + wi;  // not normalised, as the model wants it
     const Vec2 alpha = roughness(point);
     const float gaussian = std::exp(-slope2(h, alpha)) / (kPi * alpha.x * alpha.y);
-    return gaussian * normalisation(wo, wi, h);
-  }
-
-  float pdf_lobe(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
-    const Vec3 h = glm::normalize(wo + wi);
-    const Vec2 alpha = roughness(point);
-    return std::exp(-slope2(h, alpha)) /
-           (4 * kPi * alpha.x * alpha.y * glm::dot(wo, h) * h.z * h.z * h.z);
+    return {gaussian * normalisation(wo, wi, h),
+            gaussian * length_squared(h) / (2 * h.z * h.z * h.z)};
   }
 
   /// The slopes of the half vector are normally distributed.
