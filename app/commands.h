@@ -11,5 +11,6 @@ void add_render_command(CLI::App& app);
 void add_compare_command(CLI::App& app);
 void add_merge_command(CLI::App& app);
 void add_info_command(CLI::App& app);
+void add_guides_command(CLI::App& app);
 
 }  // namespace guidelight

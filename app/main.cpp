@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
   guidelight::add_compare_command(app);
   guidelight::add_merge_command(app);
   guidelight::add_info_command(app);
+  guidelight::add_guides_command(app);
 
   std::vector<std::string> arguments(argv + 1, argv + argc);
   const bool asks_for_help =

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "app/commands.h"
+#include "app/guide_arguments.h"
 #include "app/interrupt.h"
 #include "app/progress_bar.h"
 #include "app/render_arguments.h"
@@ -22,6 +23,7 @@ constexpr uint32_t kDefaultPasses = 64;
 struct RenderCommand {
   SceneArguments scene;
   RenderArguments render;
+  GuideArguments guides;
   std::vector<std::string> outputs;
   RenderTargets targets;
   std::string techniques;
@@ -33,6 +35,7 @@ struct RenderCommand {
   void add_to(CLI::App& command) {
     scene.add_to(command);
     render.add_to(command);
+    guides.add_to(command);
     command.add_option("-o,--output", outputs, "Picture to write, .exr or .png; may be repeated")
         ->required()
         ->allow_extra_args(false);
@@ -63,6 +66,7 @@ RenderJob RenderCommand::make_job() const {
   for (const std::string& warning : description.warnings) {
     fmt::print(stderr, "guidelight: warning: {}\n", warning);
   }
+  job.guides = guides.read(*job.scene);
   job.priority = Priority::Normal;
   job.targets = targets;
   if (targets.passes == 0 && targets.seconds == 0 && targets.relative_error == 0) {

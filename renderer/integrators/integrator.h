@@ -22,6 +22,7 @@ struct PixelRegion {
   bool operator==(const PixelRegion&) const = default;
 };
 
+class GuideMixture;
 class PhotonRequest;
 class PixelHistory;
 class TechniqueImages;
@@ -38,6 +39,8 @@ struct PassContext {
   TechniqueImages* techniques = nullptr;
   /// Photon methods hand over the photons of the pass; may be null.
   PhotonRequest* photons = nullptr;
+  /// Guide paths of the pass, which may be others than those of the pass before; null for none.
+  std::shared_ptr<const GuideMixture> guides = {};
 };
 
 /// An algorithm that renders a scene progressively. It is constructed from a scene and its own

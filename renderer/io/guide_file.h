@@ -16,7 +16,13 @@ std::string guide_file_beside(const std::string& scene_path);
 /// the guides fit a scene.
 std::vector<GuidePath> read_guides(const std::string& path);
 
-/// Reads back to the same guides. Throws Error.
+/// The same from text; `where` stands for the file's name in errors.
+std::vector<GuidePath> parse_guides(const std::string& text, const std::string& where);
+
+/// Is read back to the same guides. Throws Error for names that are not UTF-8.
+std::string guides_text(const std::vector<GuidePath>& guides);
+
+/// Throws Error.
 void write_guides(const std::string& path, const std::vector<GuidePath>& guides);
 
 }  // namespace guidelight

@@ -41,7 +41,9 @@ Metadata with_details(Metadata identity, uint64_t seed, int width, int height) {
 
 Metadata identity_of(const RenderJob& job) {
   Metadata identity = describe_render(job, Snapshot());
-  for (const char* changing : {"passes", "seconds", "seed", "size"}) identity.erase(changing);
+  for (const char* changing : {"passes", "seconds", "seed", "size", "guides"}) {
+    identity.erase(changing);
+  }
   return identity;
 }
 

@@ -6,6 +6,7 @@
 
 #include "renderer/error.h"
 #include "renderer/image/technique_images.h"
+#include "renderer/io/guide_file.h"
 
 namespace guidelight {
 
@@ -73,6 +74,7 @@ Metadata describe_render(const RenderJob& job, const Snapshot& snapshot) {
   for (const Parameter& parameter : settings->parameters()) {
     data["set." + parameter.key] = parameter_text(parameter);
   }
+  if (job.guides && !job.guides->empty()) data["guides"] = guides_text(*job.guides);
   data["passes"] = fmt::format("{}", snapshot.passes);
   data["seconds"] = fmt::format("{:.3f}", snapshot.seconds);
   data["seed"] = fmt::format("{}", job.seed);

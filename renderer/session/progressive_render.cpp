@@ -5,6 +5,7 @@
 #include "renderer/error.h"
 #include "renderer/image/technique_images.h"
 #include "renderer/session/stopwatch.h"
+#include "renderer/transport/guide_mixture.h"
 
 namespace guidelight {
 
@@ -45,6 +46,7 @@ class ProgressiveRender {
                         .history = job_.history.get(),
                         .techniques = job_.techniques.get()};
     for (uint32_t pass = first_pass;; ++pass) {
+      follow_guides(observer_.guides(), context);
       const size_t photons_wanted = observer_.photons_wanted();
       PhotonRequest photons(photons_wanted);
       context.photons = photons_wanted > 0 ? &photons : nullptr;
@@ -82,6 +84,13 @@ class ProgressiveRender {
     film.merge(*job_.resume_from->film);
     status_.passes = job_.resume_from->next_pass;
     return job_.resume_from->next_pass;
+  }
+
+  /// Prepares guides that are not those of the last pass.
+  void follow_guides(const GuideList& guides, PassContext& context) {
+    if (guides == guides_) return;
+    guides_ = guides;
+    context.guides = guides ? GuideMixture::build(job_.scene, *guides) : nullptr;
   }
 
   void save(const std::shared_ptr<const Film>& film, uint32_t next_pass) {
@@ -184,6 +193,7 @@ class ProgressiveRender {
   Parallel parallel_;
   RenderObserver& observer_;
   Snapshot status_;
+  GuideList guides_;
   Stopwatch since_published_;
   Stopwatch since_saved_;
   double publish_cost_ = 0;  // of the last time [s]

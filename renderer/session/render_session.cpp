@@ -47,6 +47,11 @@ class RenderSession::Impl : private RenderObserver {
     interrupt_rest();
   }
 
+  void set_guides(GuideList guides) {
+    const std::lock_guard lock(mutex_);
+    (next_ ? next_->guides : guides_) = std::move(guides);
+  }
+
   void request_photons(size_t cap) { photons_wanted_ = cap; }
 
   void save(SaveProgress save) {
@@ -108,6 +113,7 @@ class RenderSession::Impl : private RenderObserver {
     current_job_ = last_job_;
     std::erase_if(save_requests_, [&](const auto& request) { return request.job != current_job_; });
     targets_ = next_->targets;
+    guides_ = next_->guides;
     std::optional<RenderJob> job = std::move(next_);
     next_.reset();
     return job;
@@ -142,6 +148,11 @@ class RenderSession::Impl : private RenderObserver {
   RenderTargets targets() const override {
     const std::lock_guard lock(mutex_);
     return targets_;
+  }
+
+  GuideList guides() const override {
+    const std::lock_guard lock(mutex_);
+    return guides_;
   }
 
   size_t photons_wanted() const override { return photons_wanted_; }
@@ -206,6 +217,7 @@ class RenderSession::Impl : private RenderObserver {
   bool resting_ = false;        // the current job has reached a target
   bool has_orders_ = false;     // something was asked for that ends the rest
   RenderTargets targets_;       // of the current job
+  GuideList guides_;            // of the current job
   struct SaveRequest {
     uint64_t job;
     SaveProgress save;
@@ -230,6 +242,7 @@ void RenderSession::pause() { impl_->set_paused(true); }
 void RenderSession::resume() { impl_->set_paused(false); }
 void RenderSession::stop() { impl_->stop(); }
 void RenderSession::set_targets(const RenderTargets& targets) { impl_->set_targets(targets); }
+void RenderSession::set_guides(GuideList guides) { impl_->set_guides(std::move(guides)); }
 void RenderSession::request_photons(size_t cap) { impl_->request_photons(cap); }
 void RenderSession::save(SaveProgress save) { impl_->save(std::move(save)); }
 std::shared_ptr<const Snapshot> RenderSession::snapshot() const { return impl_->snapshot(); }

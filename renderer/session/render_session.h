@@ -4,9 +4,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "renderer/integrators/integrator.h"
 #include "renderer/session/snapshot.h"
+#include "renderer/transport/guide_path.h"
 
 namespace guidelight {
 
@@ -26,6 +28,9 @@ struct RenderProgress {
 
 using SaveProgress = std::function<void(const RenderProgress&)>;
 
+/// Shared so that it costs nothing to hand on; null for none.
+using GuideList = std::shared_ptr<const std::vector<GuidePath>>;
+
 /// What to render.
 struct RenderJob {
   std::shared_ptr<const Scene> scene;
@@ -36,6 +41,8 @@ struct RenderJob {
   Priority priority = Priority::Background;
   RenderTargets targets;
   std::optional<PixelRegion> region;
+  /// For methods that can follow them; those that do not fit the scene are left out.
+  GuideList guides;
   /// Bidirectional methods keep their techniques apart in these, of the scene's size. May be read
   /// when the job has finished.
   std::shared_ptr<TechniqueImages> techniques;
@@ -74,6 +81,9 @@ class RenderSession {
   void stop();
   /// Replaces the targets of the job that was started last; one that had reached its own goes on.
   void set_targets(const RenderTargets& targets);
+  /// From the next pass on the job that was started last follows these guides. What was rendered
+  /// stays: guides change the noise, not the result.
+  void set_guides(GuideList guides);
   /// From now on pictures come with photons of their last pass, at most `cap` of them; 0 for none,
   /// which costs nothing.
   void request_photons(size_t cap);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,5 +31,20 @@ struct PlacedGuide {
 /// only where that is nothing.
 PlacedGuide place_guide(const Scene& scene, const GuidePath& guide,
                         std::vector<GuideFault>& faults);
+
+/// Vertices of a guide lie this close to where they are found [scene units].
+float guide_tolerance(const Scene& scene);
+
+/// The light that a path leaves from a position in a unit direction, and its point there.
+struct LightOrigin {
+  const Light* light;
+  SurfacePoint point;  // see PlacedGuide
+};
+/// Empty if no light within guide_tolerance() of the position shines that way.
+std::optional<LightOrigin> find_light(const Scene& scene, Vec3 position, Vec3 direction);
+
+/// What leaves a light in a unit direction: radiance of areas and the sky, intensity of points,
+/// irradiance of parallel light. `point` as in PlacedGuide.
+Color emitted_light(const Light& light, const SurfacePoint& point, Vec3 direction);
 
 }  // namespace guidelight

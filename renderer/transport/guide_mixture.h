@@ -82,6 +82,12 @@ class GuideMixture {
     std::vector<Step> steps;  // of each vertex but the last
   };
 
+  // Densities are those of the position alone.
+  std::optional<SurfacePoint> sample_disc(const Guide& guide, Vec2 u) const;
+  double pdf_disc(const Guide& guide, const SurfacePoint& point) const;
+  Ray parallel_ray(const Guide& guide, Vec3 direction, Vec2 u) const;
+  double pdf_parallel(const Guide& guide, Vec3 ray_origin, Vec3 direction) const;
+
   std::shared_ptr<const Scene> scene_;
   std::vector<Guide> guides_;
   DiscreteDistribution weights_;

@@ -30,6 +30,12 @@ std::optional<GuideSegment> trace_guide_segment(const Scene& scene, Ray ray, Spe
 std::optional<GuidePath> trace_guide(const Scene& scene, Vec3 start, Vec3 direction, int bounces,
                                      SpecularChoice choice = SpecularChoice::Refract);
 
+/// The same, each segment aimed from the last scattering vertex at one of `targets`; specular
+/// surfaces on the way are followed and may lead elsewhere. Shorter where a segment meets nothing.
+std::optional<GuidePath> trace_guide_through(const Scene& scene, Vec3 start,
+                                             std::span<const Vec3> targets,
+                                             SpecularChoice choice = SpecularChoice::Refract);
+
 /// The first direction of the chain of specular events that leads from `from` to the point `target`
 /// of a scattering surface, near the unit direction `guess`, which must follow the same events. By
 /// Newton's method on the two angles. Empty if there is none near.
