@@ -94,7 +94,7 @@ float GapTable::probability(int from_light, int from_eye, int new_size) const {
   return distribution_.pmf(i) * cut.sizes.pmf(which);
 }
 
-class BidirectionalMutation final : public Mutation {
+class BidirectionalMutation : public Mutation {
  public:
   BidirectionalMutation(const Scene& scene, const PathLengths& lengths)
       : sampler_(scene), min_size_(lengths.min + 1) {
@@ -135,11 +135,38 @@ class BidirectionalMutation final : public Mutation {
   std::vector<GapTable> tables_;  // by the number of vertices
 };
 
+class GuidedMutation final : public BidirectionalMutation {
+ public:
+  GuidedMutation(const Scene& scene, const PathLengths& lengths,
+                 std::shared_ptr<const GuideMixture> guides, float guided)
+      : BidirectionalMutation(scene, lengths),
+        proposal_(scene, std::move(guides)),
+        lengths_(lengths),
+        guided_(guided) {}
+
+  bool propose(const Path& x, Path& y, Rng& rng) const override {
+    if (rng.next_float() >= guided_) return BidirectionalMutation::propose(x, y, rng);
+    return proposal_.propose(x, lengths_.max, y, rng) && lengths_.contains(y.length());
+  }
+
+  double density(const Path& x, const Path& y) const override {
+    return guided_ * proposal_.density(x, y) + (1 - guided_) * BidirectionalMutation::density(x, y);
+  }
+
+ private:
+  GuideProposal proposal_;
+  PathLengths lengths_;
+  float guided_;
+};
+
 }  // namespace
 
 std::unique_ptr<Mutation> make_bidirectional_mutation(const Scene& scene,
-                                                      const PathLengths& lengths) {
-  return std::make_unique<BidirectionalMutation>(scene, lengths);
+                                                      const PathLengths& lengths,
+                                                      std::shared_ptr<const GuideMixture> guides,
+                                                      float guided) {
+  if (!guides || guided == 0) return std::make_unique<BidirectionalMutation>(scene, lengths);
+  return std::make_unique<GuidedMutation>(scene, lengths, std::move(guides), guided);
 }
 
 }  // namespace guidelight

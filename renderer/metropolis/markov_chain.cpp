@@ -44,4 +44,15 @@ double MarkovChain::propose(size_t which) {
   return std::min(1.0, candidate_.target() * backward / (current_.target() * forward));
 }
 
+MutationStatistics& MarkovChain::of_guide(int guide) {
+  const auto index = static_cast<size_t>(guide);
+  if (index >= guide_statistics_.size()) guide_statistics_.resize(index + 1);
+  return guide_statistics_[index];
+}
+
+void MarkovChain::forget_guides() {
+  guide_statistics_.clear();
+  current_.guide = Path::kNoGuide;
+}
+
 }  // namespace guidelight

@@ -60,12 +60,17 @@ class MarkovChain {
   uint64_t steps() const { return steps_; }
   /// By index in the set.
   const std::vector<MutationStatistics>& statistics() const { return statistics_; }
+  /// By guide; those that have proposed nothing may be missing at the end.
+  const std::vector<MutationStatistics>& guide_statistics() const { return guide_statistics_; }
+  /// To be called when the set's guides are others.
+  void forget_guides();
 
  private:
   /// Proposes a candidate: the probability of accepting it.
   double propose(size_t mutation);
   template <typename Observe>
   void show(const Path& path, double weight, size_t origin, Observe& observe);
+  MutationStatistics& of_guide(int guide);
 
   const MutationSet& mutations_;
   Rng rng_;
@@ -76,12 +81,14 @@ class MarkovChain {
   size_t origin_ = 0;  // mutation that proposed the current path
   double weight_ = 0;  // of the current path, not shown yet
   std::vector<MutationStatistics> statistics_;
+  std::vector<MutationStatistics> guide_statistics_;
 };
 
 template <typename Observe>
 void MarkovChain::show(const Path& path, double weight, size_t origin, Observe& observe) {
   if (weight == 0) return;
   statistics_[origin].contribution += weight;
+  if (path.guide != Path::kNoGuide) of_guide(path.guide).contribution += weight;
   observe(path, weight);
 }
 
@@ -92,6 +99,10 @@ void MarkovChain::run(uint64_t steps, Observe&& observe) {
     const double acceptance = propose(mutation);
     statistics_[mutation].proposed += 1;
     statistics_[mutation].accepted += acceptance;
+    if (candidate_.guide != Path::kNoGuide) {
+      of_guide(candidate_.guide).proposed += 1;
+      of_guide(candidate_.guide).accepted += acceptance;
+    }
     weight_ += 1 - acceptance;
     if (acceptance > 0 && rng_.next_float() < acceptance) {
       show(current_, weight_, origin_, observe);

@@ -37,15 +37,12 @@ double Seeding::standard_error() const {
   return n > 1 ? std::sqrt(std::max(squares_ / n - sqr(sum_ / n), 0.0) / (n - 1)) : 0;
 }
 
-Path Seeding::start(size_t chain, size_t chains) const {
+Rng Seeding::start(size_t chain, size_t chains) const {
   // Stratified: as many chains as possible start from different paths.
   const float jitter = Rng(seed_ ^ ~kStream, pass_, chain).next_float();
   const auto u = (static_cast<float>(chain) + jitter) / static_cast<float>(chains);
   const uint32_t chosen = starts_.sample(std::min(u, kOneMinusEpsilon)).index;
-  Path path;
-  Rng rng = path_rng(seed_, pass_, chosen);
-  sampler_.sample(path, rng);
-  return path;
+  return path_rng(seed_, pass_, chosen);
 }
 
 }  // namespace guidelight

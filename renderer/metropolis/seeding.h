@@ -22,9 +22,10 @@ class Seeding {
   double normalization() const { return count_ > 0 ? sum_ / static_cast<double>(count_) : 0; }
   double standard_error() const;
 
-  /// Start of one of `chains` chains, from the last draw. To be called where some path carried
-  /// light.
-  Path start(size_t chain, size_t chains) const;
+  /// Random numbers with which sampler() draws the start of one of `chains` chains: a path of the
+  /// last draw. To be called where some path carried light.
+  Rng start(size_t chain, size_t chains) const;
+  const PathSampler& sampler() const { return sampler_; }
 
  private:
   PathSampler sampler_;

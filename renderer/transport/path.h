@@ -38,7 +38,10 @@ class Path {
  public:
   std::vector<PathPoint> points;
   const Light* light = nullptr;
-  Vec2 raster{0};  // [pixels] where the path meets the picture
+  Vec2 raster{0};        // [pixels] where the path meets the picture
+  int guide = kNoGuide;  // of a GuideMixture, that proposed the path
+
+  static constexpr int kNoGuide = -1;
 
   int size() const { return static_cast<int>(points.size()); }
   /// Segments.

@@ -87,8 +87,6 @@ std::vector<Method> methods(const ComparisonScene& scene) {
       {"sppm", "scene_radius=0.5,light_paths=2", 6},
       {"photon_map", "light_paths=30000,neighbors=20,gather_rays=50", 3},
       {"photon_map", "light_paths=30000,neighbors=20,gather_rays=4,irradiance_cache=false", 3},
-      {"mlt", "mutations=16", 6},
-      {"mlt", "mutations=16,separate_direct=false", 6},
   };
   if (scene.is_diffuse) {
     list.push_back({"light", "", 8});
@@ -97,12 +95,21 @@ std::vector<Method> methods(const ComparisonScene& scene) {
   return list;
 }
 
-class Agreement : public ::testing::TestWithParam<ComparisonScene> {};
+/// Those with Markov chains, whose runs are less alike.
+std::vector<Method> metropolis_methods() {
+  return {{"mlt", "mutations=16", 6},
+          {"mlt", "mutations=16,separate_direct=false", 6},
+          {"pssmlt", "mutations=16", 6}};
+}
 
-TEST_P(Agreement, WithThePathTracer) {
+class Agreement : public ::testing::TestWithParam<ComparisonScene> {
+ protected:
+  static void compare_with_path_tracer(const std::vector<Method>& tried);
+};
+
+void Agreement::compare_with_path_tracer(const std::vector<Method>& tried) {
   const auto scene = testing::build(GetParam().make());
   const std::vector<Moments> expected = measure(scene, {"path", "", 32}, kRuns);
-  const std::vector<Method> tried = methods(GetParam());
   const double level = statistics::sidak_level(
       kFalseAlarms, testing::comparison_scenes().size() * tried.size() * expected.size());
   for (const Method& method : tried) {
@@ -117,6 +124,9 @@ TEST_P(Agreement, WithThePathTracer) {
     EXPECT_LT(found.back().standard_error(), 0.02 * found.back().mean()) << method.name;
   }
 }
+
+TEST_P(Agreement, WithThePathTracer) { compare_with_path_tracer(methods(GetParam())); }
+TEST_P(Agreement, OfChainsWithThePathTracer) { compare_with_path_tracer(metropolis_methods()); }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Agreement, ::testing::ValuesIn(testing::comparison_scenes()),
                          [](const auto& test) { return test.param.name; });
