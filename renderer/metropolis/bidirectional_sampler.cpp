@@ -80,8 +80,8 @@ double BidirectionalSampler::density(const Gap& gap, const Path& y) const {
   return sum / possible.count();
 }
 
-PathSampler::PathSampler(const Scene& scene, const PathLengths& lengths)
-    : sampler_(scene), lengths_(lengths) {
+PathSampler::PathSampler(const Scene& scene, const PathLengths& lengths, PathFilter filter)
+    : sampler_(scene), lengths_(lengths), filter_(std::move(filter)) {
   // Longer paths carry less.
   constexpr float kDecay = 0.75f;
   std::vector<float> weights;
@@ -98,7 +98,7 @@ double PathSampler::sample(Path& path, Random& rng) const {
                                       .inserted = lengths_.min + static_cast<int>(length.index) + 1,
                                       .from_eye = 0};
   path.points.resize(gap.inserted);
-  if (!sampler_.fill(gap, path, rng)) return 0;
+  if (!sampler_.fill(gap, path, rng) || (filter_ && !filter_(path))) return 0;
   return length.pmf * sampler_.density(gap, path);
 }
 

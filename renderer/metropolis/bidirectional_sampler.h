@@ -51,7 +51,7 @@ class BidirectionalSampler {
 /// Draws whole paths of all lengths, for seeding.
 class PathSampler {
  public:
-  PathSampler(const Scene& scene, const PathLengths& lengths);
+  PathSampler(const Scene& scene, const PathLengths& lengths, PathFilter filter = {});
 
   /// The path's density, over all techniques, or 0 if there is none; in the measure of Path.
   /// `Random` is Rng or PrimarySamples.
@@ -61,6 +61,7 @@ class PathSampler {
  private:
   BidirectionalSampler sampler_;
   PathLengths lengths_;
+  PathFilter filter_;
   DiscreteDistribution distribution_;  // of lengths from lengths_.min on
 };
 

@@ -26,8 +26,9 @@ size_t MutationSet::choose(const Path& x, float u) const {
   return last;
 }
 
-MarkovChain::MarkovChain(const MutationSet& mutations, Path start, Rng rng)
+MarkovChain::MarkovChain(const MutationSet& mutations, Path start, Rng rng, PathFilter filter)
     : mutations_(mutations),
+      filter_(std::move(filter)),
       rng_(rng),
       current_(std::move(start)),
       suitable_weight_(mutations.suitable_weight(current_)),
@@ -36,6 +37,7 @@ MarkovChain::MarkovChain(const MutationSet& mutations, Path start, Rng rng)
 double MarkovChain::propose(size_t which) {
   const Mutation& mutation = mutations_[which];
   if (!mutation.propose(current_, candidate_, rng_)) return 0;
+  if (filter_ && !filter_(candidate_)) return 0;
   const double forward = mutation.density(current_, candidate_);
   if (!(forward > 0) || !mutation.is_suitable(candidate_)) return 0;
   // Metropolis–Hastings (Veach 1997, 11.6); the set's choice belongs to the density.

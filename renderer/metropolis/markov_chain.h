@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "renderer/metropolis/mutation.h"
+#include "renderer/metropolis/path_lengths.h"
 
 namespace guidelight {
 
@@ -49,8 +50,8 @@ class MutationSet {
 /// the weights of n steps sum to n.
 class MarkovChain {
  public:
-  /// `mutations` must outlive this. `start` must carry light.
-  MarkovChain(const MutationSet& mutations, Path start, Rng rng);
+  /// `mutations` must outlive this. `start` must carry light and pass the filter.
+  MarkovChain(const MutationSet& mutations, Path start, Rng rng, PathFilter filter = {});
 
   /// Calls observe(path, weight) with weights that are expected values.
   template <typename Observe>
@@ -73,6 +74,7 @@ class MarkovChain {
   MutationStatistics& of_guide(int guide);
 
   const MutationSet& mutations_;
+  PathFilter filter_;
   Rng rng_;
   Path current_;
   Path candidate_;

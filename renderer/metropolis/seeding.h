@@ -13,7 +13,8 @@ namespace guidelight {
 /// phase to wait for (Veach 1997, 11.3.1).
 class Seeding {
  public:
-  Seeding(const Scene& scene, const PathLengths& lengths) : sampler_(scene, lengths) {}
+  Seeding(const Scene& scene, const PathLengths& lengths, PathFilter filter = {})
+      : sampler_(scene, lengths, std::move(filter)) {}
 
   /// Draws `count` more paths, numbered by (seed, pass); chains may start from these.
   void draw(size_t count, uint64_t seed, uint64_t pass, Parallel& parallel);
