@@ -1,5 +1,7 @@
 #include "renderer/photons/photon_tracer.h"
 
+#include "renderer/transport/light_path_batch.h"
+
 namespace guidelight {
 
 namespace {
@@ -30,17 +32,14 @@ struct PhotonCollector {
 void trace_batch(const Scene& scene, const LightPathRange& range, size_t first, size_t last,
                  std::vector<Photon>& photons) {
   const MisWeights weights{TechniqueCounts{}};  // the photons are not weighted
-  std::vector<EmissionSample> emissions(last - first);
-  std::vector<Subpath> paths;
-  paths.reserve(last - first);
+  LightPathBatch batch(scene, 1, range.guided);
+  batch.reset(last - first);
   for (size_t i = first; i < last; ++i) {
-    const Rng rng(range.seed ^ kPhotonStream, range.pass, i);
-    const auto path = start_light_path(scene, rng, 1.0f, emissions[i - first]);
-    if (path) paths.push_back(*path);
+    batch.add(Rng(range.seed ^ kPhotonStream, range.pass, i));
   }
   photons.clear();
   PhotonCollector collector{photons, range.max_length};
-  RandomWalk(scene, TransportMode::Importance, weights).run(paths, collector);
+  RandomWalk(scene, TransportMode::Importance, weights).run(batch.paths(), collector);
 }
 
 }  // namespace

@@ -4,16 +4,19 @@
 
 #include "renderer/parallel/parallel.h"
 #include "renderer/photons/photon.h"
+#include "renderer/transport/guided_walk.h"
 #include "renderer/transport/random_walk.h"
 
 namespace guidelight {
 
-/// The light paths of one pass: random numbers depend on (seed, pass, path) only.
+/// The light paths of one pass: random numbers depend on (seed, pass, path) only. Empty `guided`:
+/// no path follows a guide.
 struct LightPathRange {
   uint64_t seed;
   uint64_t pass;
   size_t count;
   int max_length;  // segments
+  std::optional<GuidedEmission> guided = std::nullopt;
 };
 
 /// Traces light paths in parallel and keeps a photon of every vertex that is not perfectly

@@ -14,7 +14,7 @@ float abs_cos_geometric(const PathVertex& vertex, Vec3 w) {
 
 std::optional<DirectConnection> connect_to_light(const Scene& scene, const PathVertex& vertex,
                                                  const Scattering& scattering, float u_light,
-                                                 Vec2 u_point) {
+                                                 Vec2 u_point, const GuidedEmission* guided) {
   const auto choice = scene.choose_light(u_light);
   if (!choice) return std::nullopt;
   const Light& light = *choice->light;
@@ -36,6 +36,12 @@ std::optional<DirectConnection> connect_to_light(const Scene& scene, const PathV
   result.emission_ratio = sample->pdf_position * sample->pdf_direction *
                           abs_cos_geometric(vertex, sample->wi) / (sample->pdf * sample->cos_light);
   if (light.is_delta_position()) result.emission_ratio /= sqr(sample->distance);
+  if (guided) {
+    const double pdf_emission =
+        double{choice->probability} * sample->pdf_position * sample->pdf_direction;
+    result.emission_ratio *=
+        guided->density_ratio(light, sample->point, point.position, -sample->wi, pdf_emission);
+  }
   result.shadow_ray = light.is_infinite() ? point.spawn_ray(sample->wi)
                       : light.is_delta()  ? point.spawn_ray_to(sample->position)
                                           : point.spawn_ray_to(sample->point);

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "renderer/scene/bsdf/scattering.h"
+#include "renderer/transport/guided_walk.h"
 #include "renderer/transport/path_vertex.h"
 
 namespace guidelight {
@@ -13,7 +14,8 @@ namespace guidelight {
 // at a vertex back along its own subpath [per solid angle, survival included]. Empty where nothing
 // is carried.
 
-/// A camera vertex connected to a point on a light: s = 1.
+/// A camera vertex connected to a point on a light: s = 1. `guided` is how light paths are emitted,
+/// if they follow guides.
 struct DirectConnection {
   Ray shadow_ray;
   Color contribution;
@@ -23,7 +25,8 @@ struct DirectConnection {
 };
 std::optional<DirectConnection> connect_to_light(const Scene& scene, const PathVertex& vertex,
                                                  const Scattering& scattering, float u_light,
-                                                 Vec2 u_point);
+                                                 Vec2 u_point,
+                                                 const GuidedEmission* guided = nullptr);
 
 /// Vertices of a light and a camera path connected: s, t ≥ 2.
 struct VertexConnection {

@@ -4,6 +4,16 @@
 
 namespace guidelight {
 
+namespace {
+
+/// Density of emission, `ray_origin` being any point of the segment.
+float guided_pdf(const GuidedEmission* guided, const Light& light, const SurfacePoint& point,
+                 Vec3 ray_origin, Vec3 direction, float pdf) {
+  return guided ? pdf * guided->density_ratio(light, point, ray_origin, direction, pdf) : pdf;
+}
+
+}  // namespace
+
 float path_weight(const MisWeights& weights, const PathVertex& vertex,
                   const DirectConnection& connection, float eta) {
   const MisSums sums = mis_sums(vertex.partials, connection.pdf_backward,
@@ -33,26 +43,28 @@ float path_weight(const MisWeights& weights, const PathVertex& vertex,
 }
 
 EmissionEnd end_on_light(const Scene& scene, const Subpath& path, const PathVertex& vertex,
-                         bool is_direct_caustic) {
+                         bool is_direct_caustic, const GuidedEmission* guided) {
   const Light& light = *vertex.point.light;
   const float probability = scene.light_probability(light);
   const EmissionPdf emission = light.pdf_emission(vertex.point, vertex.wo);
   const float to_area = std::abs(glm::dot(vertex.wo, vertex.point.geometric_normal)) /
                         length_squared(vertex.point.position - path.origin);
+  const float pdf = probability * emission.position * emission.direction;
   return {vertex.partials, vertex.merging_before_last, is_direct_caustic,
           probability * light.pdf_direct(path.origin, vertex.point) * to_area,
-          probability * emission.position * emission.direction};
+          guided_pdf(guided, light, vertex.point, path.origin, vertex.wo, pdf)};
 }
 
 EmissionEnd end_at_infinity(const Scene& scene, const Subpath& path, const Light& light,
-                            bool is_direct_caustic) {
+                            bool is_direct_caustic, const GuidedEmission* guided) {
   const Vec3 towards = path.ray.direction;
   const float probability = scene.light_probability(light);
   const EmissionPdf emission = light.pdf_emission({}, -towards);
   const EscapePartials end = escape_partials(path);
+  const float pdf = probability * emission.position * emission.direction;
   return {end.partials, end.merging_before_last, is_direct_caustic,
           probability * light.pdf_direct_from(towards),
-          probability * emission.position * emission.direction};
+          guided_pdf(guided, light, {}, path.origin, -towards, pdf)};
 }
 
 float path_weight(const MisWeights& weights, const EmissionEnd& end, float eta) {

@@ -21,7 +21,8 @@ float path_weight(const MisWeights& weights, const PathVertex& light, const Path
 float path_weight(const MisWeights& weights, const PathVertex& vertex,
                   const LensConnection& connection, float eta);
 
-/// s = 0: a camera path that ran into an emitter after at least one scattering.
+/// s = 0: a camera path that ran into an emitter after at least one scattering. `guided` as of
+/// connect_to_light.
 struct EmissionEnd {
   MisPartials partials;       // of the vertex on the light
   float merging_before_last;  // see PathVertex
@@ -30,10 +31,10 @@ struct EmissionEnd {
   float pdf_emission;         // of emission, position × direction
 };
 EmissionEnd end_on_light(const Scene& scene, const Subpath& path, const PathVertex& vertex,
-                         bool is_direct_caustic);
+                         bool is_direct_caustic, const GuidedEmission* guided = nullptr);
 /// The same for a light at infinity.
 EmissionEnd end_at_infinity(const Scene& scene, const Subpath& path, const Light& light,
-                            bool is_direct_caustic);
+                            bool is_direct_caustic, const GuidedEmission* guided = nullptr);
 float path_weight(const MisWeights& weights, const EmissionEnd& end, float eta);
 
 /// A photon merged with a camera vertex; the densities are of scattering there.

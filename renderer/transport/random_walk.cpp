@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "renderer/transport/guided_walk.h"
+
 namespace guidelight {
 
 namespace {
@@ -69,11 +71,19 @@ PathVertex RandomWalk::arrive(const Subpath& path, const Hit& hit) const {
   return vertex;
 }
 
+std::optional<ScatteringSample> RandomWalk::draw(Subpath& path, const PathVertex& vertex,
+                                                 const Scattering& scattering) const {
+  if (path.guided && path.guided->follows_guide()) {
+    return path.guided->sample(vertex.length, scattering, path.rng);
+  }
+  if (vertex.survival < 1 && path.rng.next_float() >= vertex.survival) return std::nullopt;
+  const float u_lobe = path.rng.next_float();
+  return scattering.sample(u_lobe, path.rng.next_vec2());
+}
+
 bool RandomWalk::scatter(Subpath& path, const PathVertex& vertex,
                          const Scattering& scattering) const {
-  if (vertex.survival < 1 && path.rng.next_float() >= vertex.survival) return false;
-  const float u_lobe = path.rng.next_float();
-  const auto sample = scattering.sample(u_lobe, path.rng.next_vec2());
+  const auto sample = draw(path, vertex, scattering);
   if (!sample || is_black(sample->weight)) return false;
 
   if (sample->is_delta()) {
@@ -93,6 +103,9 @@ bool RandomWalk::scatter(Subpath& path, const PathVertex& vertex,
   path.is_connectible = !sample->is_delta();
   path.is_specular_chain &= sample->is_delta();
   path.throughput = vertex.throughput * sample->weight / vertex.survival;
+  if (path.guided) {
+    path.throughput *= path.guided->scatter(vertex.length, scattering, *sample, vertex.survival);
+  }
   path.pdf = sample->pdf * vertex.survival;
   path.cos_origin = std::abs(glm::dot(sample->wi, vertex.point.geometric_normal));
   path.origin = vertex.point.position;

@@ -12,7 +12,8 @@ namespace guidelight {
 /// The random walk of every bidirectional and photon method: advances a batch of subpaths together,
 /// segment by segment, so that their rays are traced in packets. Sampling follows the BSDF; Russian
 /// roulette uses the albedo alone, which makes the survival probability the same from both ends of
-/// a path. One object serves many batches and keeps its memory.
+/// a path. Light paths may follow guides instead. One object serves many batches and keeps its
+/// memory.
 ///
 /// A Visitor has
 ///   void escaped(uint32_t index, Subpath& path)          the segment left the scene
@@ -32,6 +33,9 @@ class RandomWalk {
  private:
   /// The vertex at the end of the segment.
   PathVertex arrive(const Subpath& path, const Hit& hit) const;
+  /// How the path goes on from the vertex; empty if it ends.
+  std::optional<ScatteringSample> draw(Subpath& path, const PathVertex& vertex,
+                                       const Scattering& scattering) const;
   /// Replaces the segment by the next one. False if the path ends.
   bool scatter(Subpath& path, const PathVertex& vertex, const Scattering& scattering) const;
 

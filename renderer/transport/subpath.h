@@ -9,6 +9,8 @@
 
 namespace guidelight {
 
+class GuidedWalk;
+
 /// A path under construction from a light or from the camera: the segment that is to be traced
 /// next and what is known about it.
 struct Subpath {
@@ -30,6 +32,7 @@ struct Subpath {
   bool is_specular_chain = true;             // no vertex so far scattered by a finite lobe
   const Light* light = nullptr;              // of a light path on its first segment …
   const EmissionSample* emission = nullptr;  // … and how it was emitted
+  GuidedWalk* guided = nullptr;              // of a light path that may follow guides
 };
 
 /// Begins a camera path at a raster position; `rng` must be the path's own. The lens is vertex 0.
@@ -48,8 +51,10 @@ inline Subpath start_camera_path(const Scene& scene, Vec2 raster, Rng rng) {
 }
 
 /// Begins a light path; empty where nothing is emitted. `emission` is filled and must live until
-/// the first vertex; `emission_count` is TechniqueCounts::emission.
+/// the first vertex, and so must `guided`, by which the path may follow a guide; `emission_count`
+/// is TechniqueCounts::emission. Weights take the density of the first segment with guides and of
+/// all others without (docs/guides.md).
 std::optional<Subpath> start_light_path(const Scene& scene, Rng rng, float emission_count,
-                                        EmissionSample& emission);
+                                        EmissionSample& emission, GuidedWalk* guided = nullptr);
 
 }  // namespace guidelight

@@ -28,6 +28,7 @@ class Bidirectional : public Integrator {
     if (!statistics_) statistics_ = examine_light_paths(context);
     PassSetup setup(*scene_, settings_, pass, context.seed, pixels, *statistics_);
     setup.techniques = context.techniques;
+    setup.guided = settings_.guided_emission(context);
     if (settings_.merges() && settings_.lean) {
       render_lean(setup, film, context);
     } else if (settings_.merges() || settings_.connects_to_random_vertices()) {
@@ -73,7 +74,8 @@ class Bidirectional : public Integrator {
   /// memory-lean variant of Georgiev et al. 2012, section 5.
   void render_lean(const PassSetup& setup, Film& film, const PassContext& context) {
     const size_t tiles = tile_count(film, context);
-    if (grid_of_pass_ != setup.pass) {
+    // Both sides of a merge must know the same guides.
+    if (grid_of_pass_ != setup.pass || guides_of_grid_ != context.guides) {
       trace_photons_before(setup, film, context);
       build_map(setup, context);
     }
@@ -82,6 +84,7 @@ class Bidirectional : public Integrator {
     render_tile_by_tile(setup, film, context, &grid_);
     build_map(setup, context);
     grid_of_pass_ = setup.pass + 1;
+    guides_of_grid_ = context.guides;
   }
 
   /// At the beginning, or after a resume, the pass before has to be made up for: its light paths
@@ -162,7 +165,8 @@ class Bidirectional : public Integrator {
   std::vector<Photon> photons_;
   HashGrid<Photon> grid_;
   KdTree<Photon> tree_;
-  std::optional<uint32_t> grid_of_pass_;  // lean: the pass that the grid was made for
+  std::optional<uint32_t> grid_of_pass_;  // lean: the pass that the grid was made for …
+  std::shared_ptr<const GuideMixture> guides_of_grid_;  // … and what its paths followed
 };
 
 template <BidirectionalKind kind>

@@ -82,8 +82,8 @@ void CameraStage::escaped(uint32_t index, Subpath& path) {
     if (is_black(radiance)) continue;
     float weight = 1;
     if (length > 1) {
-      const EmissionEnd end =
-          end_at_infinity(setup_.scene, path, *light, state.is_direct_caustic());
+      const EmissionEnd end = end_at_infinity(setup_.scene, path, *light, state.is_direct_caustic(),
+                                              setup_.guided_emission());
       weight = path_weight(setup_.weights, end, state.eta);
     }
     add(index, 0, length + 1, path.throughput * radiance, weight, state.is_caustic());
@@ -125,7 +125,8 @@ void CameraStage::add_emission(uint32_t index, const Subpath& path, const PathVe
   if (is_black(radiance)) return;
   float weight = 1;
   if (vertex.length > 1) {
-    const EmissionEnd end = end_on_light(setup_.scene, path, vertex, state.is_direct_caustic());
+    const EmissionEnd end = end_on_light(setup_.scene, path, vertex, state.is_direct_caustic(),
+                                         setup_.guided_emission());
     weight = path_weight(setup_.weights, end, state.eta);
   }
   add(index, 0, vertex.length + 1, vertex.throughput * radiance, weight, state.is_caustic());
@@ -134,8 +135,8 @@ void CameraStage::add_emission(uint32_t index, const Subpath& path, const PathVe
 void CameraStage::connect_light(uint32_t index, Subpath& path, const PathVertex& vertex,
                                 const Scattering& scattering) {
   const float u_light = path.rng.next_float();
-  const auto direct =
-      connect_to_light(setup_.scene, vertex, scattering, u_light, path.rng.next_vec2());
+  const auto direct = connect_to_light(setup_.scene, vertex, scattering, u_light,
+                                       path.rng.next_vec2(), setup_.guided_emission());
   if (!direct) return;
   const float weight = path_weight(setup_.weights, vertex, *direct, states_[index].eta);
   queue(direct->shadow_ray, {index, 1, vertex.length + 1, direct->contribution, weight});

@@ -15,7 +15,9 @@ constexpr uint64_t kLightPathStream = 0x6c69676874ull;
 }  // namespace
 
 LightStage::LightStage(const PassSetup& setup)
-    : setup_(setup), walk_(setup.scene, TransportMode::Importance, setup.weights) {}
+    : setup_(setup),
+      walk_(setup.scene, TransportMode::Importance, setup.weights),
+      batch_(setup.scene, setup.weights.counts().emission, setup.guided) {}
 
 void LightStage::trace(size_t first, size_t last, Film* film) {
   film_ = setup_.settings.light_tracing ? film : nullptr;
@@ -23,22 +25,18 @@ void LightStage::trace(size_t first, size_t last, Film* film) {
   vertices_.reset(last - first);
   for (size_t begin = first; begin < last; begin += kTilePixels) {
     start(begin, std::min(begin + kTilePixels, last), begin - first);
-    walk_.run(paths_, *this);
+    walk_.run(batch_.paths(), *this);
   }
   if (film_) film_->add_splat_count(last - first);
 }
 
 void LightStage::start(size_t first, size_t last, size_t first_slot) {
-  paths_.clear();
+  batch_.reset(last - first);
   slots_.clear();
-  emissions_.resize(last - first);
   for (size_t i = 0; i < last - first; ++i) {
     const Rng rng(setup_.seed ^ kLightPathStream, setup_.pass, first + i);
-    const auto path =
-        start_light_path(setup_.scene, rng, setup_.weights.counts().emission, emissions_[i]);
-    if (!path) continue;  // contributes nothing, but counts
+    if (!batch_.add(rng)) continue;  // contributes nothing, but counts
     slots_.push_back(static_cast<uint32_t>(first_slot + i));
-    paths_.push_back(*path);
   }
 }
 

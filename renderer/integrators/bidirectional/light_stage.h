@@ -6,6 +6,7 @@
 #include "renderer/integrators/bidirectional/light_vertices.h"
 #include "renderer/integrators/bidirectional/pass_setup.h"
 #include "renderer/photons/photon.h"
+#include "renderer/transport/light_path_batch.h"
 #include "renderer/transport/path_weights.h"
 
 namespace guidelight {
@@ -40,9 +41,8 @@ class LightStage {
   Film* film_ = nullptr;
   LightVertices vertices_;
   std::vector<Photon> photons_;
-  std::vector<Subpath> paths_;
-  std::vector<uint32_t> slots_;  // which of the trace() each of paths_ is
-  std::vector<EmissionSample> emissions_;
+  LightPathBatch batch_;
+  std::vector<uint32_t> slots_;  // which of the trace() each path of the batch is
   // Splats and what belongs to each.
   std::vector<Splat> splats_;
   std::vector<Vec2> filter_u_;

@@ -49,6 +49,7 @@ struct PassSetup {
   const Scene& scene;
   const BidirectionalSettings& settings;
   TechniqueImages* techniques = nullptr;  // if somebody wants to see them
+  std::optional<GuidedEmission> guided;   // if light paths follow guides
   uint32_t pass;
   uint64_t seed;
   size_t light_path_count;
@@ -58,6 +59,7 @@ struct PassSetup {
   /// Paths may have this many segments.
   bool is_shown(int length) const { return length >= settings.min_length && length <= max_length; }
   int max_length;
+  const GuidedEmission* guided_emission() const { return guided ? &*guided : nullptr; }
 };
 
 }  // namespace guidelight

@@ -47,6 +47,7 @@ std::vector<Parameter> BidirectionalSettings::parameters() {
        &min_length, 1, 1024},
       {"light_paths", "Light paths", "Light paths per pixel and pass.", "per pixel", &light_paths,
        0.01, 100, true},
+      guide_parameter(),
   };
   const auto add = [&](bool shown, const Parameter& parameter) {
     if (shown) list.push_back(parameter);

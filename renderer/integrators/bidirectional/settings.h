@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/integrators/guide_settings.h"
 #include "renderer/integrators/integrator.h"
 #include "renderer/integrators/search_radius.h"
 #include "renderer/photons/density_estimate.h"
@@ -11,7 +12,7 @@ namespace guidelight {
 enum class BidirectionalKind { LightTracing, Bdpt, ProbabilisticPpm, Bpm, Bdpm, Vcm };
 
 /// Settings of all integrators of the bidirectional kernel; each shows those that concern it.
-struct BidirectionalSettings : IntegratorSettings, RadiusSettings {
+struct BidirectionalSettings : IntegratorSettings, RadiusSettings, GuideSettings {
   explicit BidirectionalSettings(BidirectionalKind which);
 
   BidirectionalKind kind;

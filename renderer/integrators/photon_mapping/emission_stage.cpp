@@ -17,7 +17,9 @@ void append(std::vector<SurfacePhoton>& to, const std::vector<SurfacePhoton>& fr
 }  // namespace
 
 EmissionStage::EmissionStage(const PhotonMappingPass& setup)
-    : setup_(setup), walk_(setup.scene, TransportMode::Importance, unused_weights_) {}
+    : setup_(setup),
+      walk_(setup.scene, TransportMode::Importance, unused_weights_),
+      batch_(setup.scene, 1, setup.guided) {}
 
 EmissionStage::Photons EmissionStage::trace_all(const PhotonMappingPass& setup,
                                                 Parallel& parallel) {
@@ -37,15 +39,12 @@ EmissionStage::Photons EmissionStage::trace_all(const PhotonMappingPass& setup,
 }
 
 void EmissionStage::trace(size_t first, size_t last) {
-  paths_.clear();
-  emissions_.resize(last - first);
+  batch_.reset(last - first);
   for (size_t i = first; i < last; ++i) {
-    const Rng rng(setup_.seed ^ kEmissionStream, setup_.pass, i);
-    const auto path = start_light_path(setup_.scene, rng, 1, emissions_[i - first]);
-    if (path) paths_.push_back(*path);
+    batch_.add(Rng(setup_.seed ^ kEmissionStream, setup_.pass, i));
   }
-  is_sharp_.assign(paths_.size(), 1);
-  walk_.run(paths_, *this);
+  is_sharp_.assign(batch_.paths().size(), 1);
+  walk_.run(batch_.paths(), *this);
 }
 
 bool EmissionStage::visit(uint32_t index, Subpath& path, const PathVertex& vertex,

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "renderer/integrators/photon_mapping/settings.h"
+#include "renderer/transport/light_path_batch.h"
 #include "renderer/transport/random_walk.h"
 
 namespace guidelight {
@@ -33,8 +34,7 @@ class EmissionStage {
   MisWeights unused_weights_{TechniqueCounts{}};
   RandomWalk walk_;
   Photons photons_;
-  std::vector<Subpath> paths_;
-  std::vector<EmissionSample> emissions_;
+  LightPathBatch batch_;
   std::vector<uint8_t> is_sharp_;  // whether each path has scattered sharply alone
 };
 

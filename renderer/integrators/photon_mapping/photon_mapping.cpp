@@ -19,7 +19,8 @@ class PhotonMapping : public Integrator {
   }
 
   void render_pass(uint32_t pass, Film& film, const PassContext& context) override {
-    const PhotonMappingPass setup(*scene_, settings_, pass, context.seed);
+    PhotonMappingPass setup(*scene_, settings_, pass, context.seed);
+    setup.guided = settings_.guided_emission(context);
     PhotonMaps maps = make_maps(setup, *context.parallel);
     if (context.photons) {
       context.photons->collect(1, maps.global.photons(), maps.caustic.photons());

@@ -9,6 +9,7 @@ std::vector<Parameter> PhotonMappingSettings::parameters() {
   return {
       {"light_paths", "Light paths", "Light paths per pass; each leaves several photons.", "",
        &light_paths, 1, 100e6, true},
+      guide_parameter(),
       {"max_length", "Longest path", "Longest path in segments, -1 has no limit.", "segments",
        &max_length, -1, 1024},
       {"min_length", "Shortest path",

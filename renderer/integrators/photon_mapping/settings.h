@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/integrators/guide_settings.h"
 #include "renderer/integrators/integrator.h"
 #include "renderer/photons/photon_map.h"
 
@@ -7,7 +8,7 @@ namespace guidelight {
 
 /// Settings of photon mapping. Distances are in percent of the radius of the scene's bounding
 /// sphere.
-struct PhotonMappingSettings : IntegratorSettings {
+struct PhotonMappingSettings : IntegratorSettings, GuideSettings {
   int light_paths = 100000;       // per pass
   int max_length = 12;            // segments, -1 has no limit
   int min_length = 1;             // segments
@@ -35,7 +36,8 @@ struct PhotonMappingPass {
   const PhotonMappingSettings& settings;
   uint32_t pass;
   uint64_t seed;
-  EstimateSettings global;  // how each map is read
+  std::optional<GuidedEmission> guided;  // if light paths follow guides
+  EstimateSettings global;               // how each map is read
   EstimateSettings caustic;
 
   bool is_shown(int length) const {

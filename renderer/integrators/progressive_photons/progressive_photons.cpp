@@ -64,7 +64,7 @@ class ProgressivePhotons : public Integrator {
 
   void trace_photons(uint32_t pass, const Film& film, const PassContext& context) {
     const LightPathRange paths{context.seed, pass, static_cast<size_t>(light_paths_),
-                               max_length_ - 1};
+                               max_length_ - 1, settings_.guided_emission(context)};
     const std::vector<Photon>& photons = tracer_.trace(*scene_, paths, *context.parallel);
     if (context.photons) context.photons->collect(light_paths_, photons);
     map_ = {HashGrid<Photon>(photons, 2 * typical_radius(film), *context.parallel),

@@ -11,6 +11,7 @@ std::vector<Parameter> ProgressivePhotonSettings::parameters() {
        &min_length, 1, 1024},
       {"light_paths", "Light paths", "Light paths per pixel and pass.", "per pixel", &light_paths,
        0.01, 100, true},
+      guide_parameter(),
       {"alpha", "Kept photons",
        "Share of each pass's photons that counts; the radius shrinks to make room for it. 1 keeps "
        "the radius.",

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/integrators/guide_settings.h"
 #include "renderer/integrators/integrator.h"
 #include "renderer/integrators/search_radius.h"
 
@@ -9,7 +10,7 @@ namespace guidelight {
 /// new ones (Hachisuka and Jensen 2009).
 enum class ProgressivePhotonKind { Ppm, Sppm };
 
-struct ProgressivePhotonSettings : IntegratorSettings, RadiusSettings {
+struct ProgressivePhotonSettings : IntegratorSettings, RadiusSettings, GuideSettings {
   explicit ProgressivePhotonSettings(ProgressivePhotonKind which) : kind(which) {}
 
   ProgressivePhotonKind kind;
