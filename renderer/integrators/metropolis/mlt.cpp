@@ -2,7 +2,7 @@
 
 #include "renderer/error.h"
 #include "renderer/integrators/metropolis/chain_pass.h"
-#include "renderer/integrators/metropolis/statistics.h"
+#include "renderer/integrators/chain_description.h"
 #include "renderer/metropolis/bidirectional_mutation.h"
 #include "renderer/metropolis/caustic_perturbation.h"
 #include "renderer/metropolis/eye_perturbations.h"

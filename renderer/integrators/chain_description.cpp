@@ -1,4 +1,4 @@
-#include "renderer/integrators/metropolis/statistics.h"
+#include "renderer/integrators/chain_description.h"
 
 namespace guidelight {
 
