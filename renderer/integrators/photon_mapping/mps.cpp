@@ -29,6 +29,9 @@ struct MpsSettings : PhotonMappingSettings {
   float caustic = 0.1f;
   float lens = 0.1f;
   float lens_subpath = 0.2f;
+  // Not of the source: without it, caustics that the eye sees by a mirror or through glass hold a
+  // chain for long, and its photons pile up in one place.
+  float multi_chain = 0.1f;
 
   MpsSettings() { alpha = 0.8f; }
   std::vector<Parameter> parameters() override;
@@ -72,6 +75,8 @@ std::vector<Parameter> MpsSettings::parameters() {
   add("lens", "Lens (LP)", "How often the path moves a little in the picture.", lens);
   add("lens_subpath", "Lens subpath (LS)",
       "How often the path is seen from an independent place in the picture.", lens_subpath);
+  add("multi_chain", "Multi-chain",
+      "How often a path through several specular surfaces moves a little.", multi_chain);
   for (Parameter& parameter : PhotonMappingSettings::parameters()) {
     const bool is_of_emission =
         parameter.key == "light_paths" || parameter.key == "guided_fraction";
@@ -132,6 +137,7 @@ class Mps : public Integrator {
     mutations_.add(make_caustic_perturbation(*scene_), settings_.caustic);
     mutations_.add(make_lens_perturbation(*scene_), settings_.lens);
     mutations_.add(make_lens_subpath_mutation(*scene_, lengths_), settings_.lens_subpath);
+    mutations_.add(make_multi_chain_perturbation(*scene_), settings_.multi_chain);
   }
 
   void follow(std::shared_ptr<const GuideMixture> guides) {
