@@ -90,6 +90,17 @@ void CameraStage::escaped(uint32_t index, Subpath& path) {
   }
 }
 
+void CameraStage::expect(uint32_t index, Vec3 position, bool soon) const {
+  if (!light_.photons) return;
+  const float known = states_[index].radius;
+  const float radius = known > 0 ? known : setup_.radius.typical();
+  if (soon) {
+    light_.photons->prefetch_items(position, radius);
+  } else {
+    light_.photons->prefetch_cells(position, radius);
+  }
+}
+
 bool CameraStage::visit(uint32_t index, Subpath& path, const PathVertex& vertex,
                         const Scattering& scattering) {
   const BidirectionalSettings& settings = setup_.settings;
