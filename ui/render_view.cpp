@@ -51,6 +51,7 @@ void RenderView::draw_scene_overlays(Document& document, Toolbox& toolbox, ImDra
                                                   transform_.scale(), scene->bounds());
   ToolView view{projection, &transform_};
   view.mouse = from_imgui(ImGui::GetMousePos());
+  view.double_click = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
   const RenderSettings& settings = document.settings();
   NavigationTarget target;
   target.move = [&](const auto& move) { document.move_camera(move); };

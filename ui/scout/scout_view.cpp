@@ -90,6 +90,7 @@ void ScoutView::draw(Document& document, Toolbox& toolbox) {
   const ViewProjection before = project();
   ToolView view{before, nullptr, clip_plane(bounds), settings_.style != MeshStyle::Shaded};
   view.mouse = from_imgui(ImGui::GetMousePos());
+  view.double_click = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
   NavigationTarget target;
   target.move = [&](const auto& move) { move(camera_); };
   target.find_pivot = [&] {
