@@ -267,7 +267,7 @@ void Document::edit_guides(std::vector<GuidePath> guides, const std::string& lab
 
 void Document::set_solo(std::optional<size_t> guide) {
   guide_view_.solo = guide;
-  session_.set_guides(followed_guides());
+  follow_guides();
 }
 
 /// Looks at a changed list and has it followed.
@@ -281,7 +281,13 @@ void Document::take_guides() {
   };
   drop_missing(guide_view_.selected);
   drop_missing(guide_view_.solo);
-  session_.set_guides(followed_guides());
+  follow_guides();
+}
+
+void Document::follow_guides() {
+  const GuideList followed = followed_guides();
+  session_.set_guides(followed);
+  if (!jobs_.empty()) jobs_.back().job.guides = followed;
 }
 
 void Document::update_candidates() {
@@ -298,6 +304,13 @@ GuideList Document::followed_guides() const {
   auto alone = *guides();
   for (size_t i = 0; i < alone.size(); ++i) alone[i].enabled = i == *guide_view_.solo;
   return std::make_shared<const std::vector<GuidePath>>(std::move(alone));
+}
+
+// -- Photons.
+
+void Document::set_photon_view(const PhotonView& view) {
+  photon_view_ = view;
+  session_.request_photons(view.shown ? static_cast<size_t>(view.cap) : 0);
 }
 
 // -- Undo.

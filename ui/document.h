@@ -56,6 +56,17 @@ struct ViewSettings {
   std::array<DisplaySettings, kLayerCount> display_;
 };
 
+/// What photons are looked at by: their power, their bounce, or whether they make caustics.
+enum class PhotonColoring { Power, Bounce, Kind };
+
+/// How photons are looked at.
+struct PhotonView {
+  bool shown = false;
+  PhotonColoring coloring = PhotonColoring::Power;
+  float point_size = 3;  // [pixels]
+  int cap = 50'000;      // of those drawn
+};
+
 /// How guides are looked at and placed; not part of what is saved.
 struct GuideView {
   std::optional<size_t> selected;
@@ -144,6 +155,11 @@ class Document {
   const GuideList& guides_as_opened() const { return guides_as_opened_; }
   void set_solo(std::optional<size_t> guide);
 
+  // -- Photons.
+  const PhotonView& photon_view() const { return photon_view_; }
+  /// Photons cost nothing while they are not shown.
+  void set_photon_view(const PhotonView& view);
+
   // -- Undo, of guides and render settings.
   void undo();
   void redo();
@@ -170,6 +186,7 @@ class Document {
   void start(Clock::time_point now);
   void apply_settings(const RenderSettings& settings);
   void take_guides();
+  void follow_guides();
   void update_candidates();
   GuideList followed_guides() const;
 
@@ -185,6 +202,7 @@ class Document {
   UndoStack<Edits> edits_{{std::make_shared<const std::vector<GuidePath>>(), {}}};
   std::vector<std::vector<GuideFault>> faults_;
   GuideView guide_view_;
+  PhotonView photon_view_;
   struct {
     std::optional<size_t> of;  // guide
     GuideCandidates drawn;

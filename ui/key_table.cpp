@@ -39,6 +39,7 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>({
     {Action::ClearRegion, GLFW_KEY_R, kShift, "Render", "Render the whole picture"},
 
     {Action::CycleViews, GLFW_KEY_TAB, 0, "View", "Render, scout or both views"},
+    {Action::ShowPhotons, GLFW_KEY_P, 0, "View", "Show or hide the photons"},
     {Action::ViewFromRender, GLFW_KEY_V, 0, "View", "Scout from the render camera"},
 
     {Action::FrameScene, GLFW_KEY_F, 0, "Camera", "Frame the scene"},

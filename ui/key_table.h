@@ -26,6 +26,7 @@ enum class Action {
   ShowGuides,
   DuplicateGuide,
   DeleteGuide,
+  ShowPhotons,
   CycleViews,
   ViewFromRender,
   PauseResume,

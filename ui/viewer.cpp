@@ -74,8 +74,9 @@ class Viewer {
   Document document_{&Window::wake};
   PictureDeveloper developer_;
   Toolbox toolbox_;
-  RenderView view_{window_};
-  ScoutView scout_{window_, *queue_};
+  DisplayScene display_{*queue_};
+  RenderView view_{window_, display_};
+  ScoutView scout_{window_, display_};
   Exporter exporter_;
   CheckpointSaver checkpoints_;
   GuideSaver guide_saver_{document_, *queue_};
@@ -134,6 +135,7 @@ void Viewer::run() {
     document_.update(frame_began);
     checkpoints_.update(frame_began);
     guide_saver_.update(frame_began);
+    display_.update(document_);
     if (document_.picture()) {
       developer_.request(document_.picture(), document_.view().layer, document_.view().current());
     }
@@ -229,6 +231,10 @@ void Viewer::draw_panels() {
     }
     if (tabs_.tab(Tabs::Guides)) {
       draw_guides_panel(document_, toolbox_.holds<GuideTool>(), guide_saver_.path(), act);
+      ImGui::EndTabItem();
+    }
+    if (tabs_.tab(Tabs::Photons)) {
+      draw_photons_panel(document_, display_.powers());
       ImGui::EndTabItem();
     }
     ImGui::EndTabBar();
@@ -343,6 +349,13 @@ void Viewer::perform(Action action) {
     case Action::DeleteGuide:
       delete_guide(document_, *document_.guide_view().selected);
       break;
+    case Action::ShowPhotons: {
+      PhotonView photons = document_.photon_view();
+      photons.shown = !photons.shown;
+      document_.set_photon_view(photons);
+      if (photons.shown) tabs_.show(Tabs::Photons);
+      break;
+    }
     case Action::CycleViews:
       views_.cycle();
       break;
@@ -411,6 +424,7 @@ void Viewer::perform(Action action) {
 void Viewer::show_new_scene() {
   toolbox_.use_default();
   view_.transform().fit();
+  display_.show(document_.opened().scene);
   scout_.show(document_);
   try {
     recent_.add(document_.opened().path);

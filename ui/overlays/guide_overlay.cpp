@@ -70,7 +70,7 @@ class GuideDrawing {
     const float length = glm::length(axis);
     const Frame frame = Frame::from_normal(axis / length);
     const float radius = length * std::tan(angle);
-    const ImU32 color = faded(color_, 0.6f);
+    const ImU32 color = faded(color_, 0.5f);
     painter_.circle(apex + axis, frame.n, radius, color, scaled(1));
     for (int i = 0; i < kEdges; ++i) {
       const float turn = 2 * kPi * static_cast<float>(i) / kEdges;
@@ -101,8 +101,11 @@ class GuideDrawing {
     if (!place) return;
     const std::string text = shortened(fault_->message, scaled(420));
     const Vec2 size = from_imgui(ImGui::CalcTextSize(text.c_str()));
-    const Vec2 low = *place + Vec2(scaled(12), scaled(8));
     const Vec2 pad(scaled(7), scaled(4));
+    Vec2 low = *place + Vec2(scaled(14), scaled(10));
+    const Vec2 room(list_.GetClipRectMax().x, list_.GetClipRectMax().y);
+    low =
+        glm::max(glm::min(low, room - size - 2.0f * pad), from_imgui(list_.GetClipRectMin()) + pad);
     list_.AddRectFilled(to_imgui(low - pad), to_imgui(low + size + pad), IM_COL32(60, 18, 16, 230),
                         scaled(4));
     list_.AddText(to_imgui(low), IM_COL32(255, 214, 210, 255), text.c_str());

@@ -79,14 +79,16 @@ void draw_guide_row(Document& document, size_t i) {
 
   ImGui::TableNextColumn();
   const auto& faults = document.guide_faults(i);
-  if (!faults.empty()) ImGui::PushStyleColor(ImGuiCol_Text, palette::kError);
   ImGui::AlignTextToFramePadding();
+  if (!faults.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, palette::kError);
+    ImGui::TextUnformatted("!");
+    ImGui::PopStyleColor();
+    ImGui::SameLine(0, scaled(4));
+  }
   const std::string name = shortened(guide.name, ImGui::GetContentRegionAvail().x - scaled(4));
   if (ImGui::Selectable((name + "##name").c_str(), view.selected == i)) view.selected = i;
-  if (!faults.empty()) {
-    ImGui::PopStyleColor();
-    tooltip("Cannot be followed: " + faults.front().message);
-  }
+  if (!faults.empty()) tooltip("Cannot be followed: " + faults.front().message);
 
   ImGui::TableNextColumn();
   ImGui::AlignTextToFramePadding();

@@ -5,6 +5,7 @@
 
 #include "ui/document.h"
 #include "ui/key_table.h"
+#include "ui/photons/photon_colors.h"
 #include "ui/picture_developer.h"
 #include "ui/recent_files.h"
 #include "ui/render_view.h"
@@ -40,6 +41,9 @@ void draw_status_bar(const Document& document, const RenderView& view, const std
 /// The list of guide paths and what can be set of the selected one.
 void draw_guides_panel(Document& document, bool tool_active, const std::string& file,
                        const Perform& perform);
+
+/// What photons there are, and how they are shown.
+void draw_photons_panel(Document& document, const PowerHistogram& powers);
 
 /// Messages in the lower left corner of the view, newest at the bottom.
 void draw_messages(Messages& messages, ImVec2 corner, float width);

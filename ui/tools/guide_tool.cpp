@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 #include <array>
+#include <utility>
 
 #include "ui/guides/new_guide.h"
 #include "ui/overlays/world_painter.h"
