@@ -25,12 +25,21 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>({
     {Action::ExportFloat, GLFW_KEY_E, kControl | kShift, "File", "Export EXR, float"},
     {Action::Quit, GLFW_KEY_Q, kControl, "File", "Quit"},
 
+    {Action::Undo, GLFW_KEY_Z, kControl, "Edit", "Undo"},
+    {Action::Redo, GLFW_KEY_Z, kControl | kShift, "Edit", "Redo"},
+
+    {Action::NewGuide, GLFW_KEY_G, 0, "Guides", "Place a guide path"},
+    {Action::ShowGuides, GLFW_KEY_G, kShift, "Guides", "Show or hide the guides"},
+    {Action::DuplicateGuide, GLFW_KEY_D, kControl, "Guides", "Duplicate the guide"},
+    {Action::DeleteGuide, GLFW_KEY_DELETE, 0, "Guides", "Delete the guide"},
+
     {Action::PauseResume, GLFW_KEY_SPACE, 0, "Render", "Pause or resume"},
     {Action::Restart, GLFW_KEY_BACKSPACE, 0, "Render", "Restart"},
     {Action::RegionTool, GLFW_KEY_R, 0, "Render", "Draw a render region"},
     {Action::ClearRegion, GLFW_KEY_R, kShift, "Render", "Render the whole picture"},
 
     {Action::CycleViews, GLFW_KEY_TAB, 0, "View", "Render, scout or both views"},
+    {Action::ShowPhotons, GLFW_KEY_P, 0, "View", "Show or hide the photons"},
     {Action::ViewFromRender, GLFW_KEY_V, 0, "View", "Scout from the render camera"},
 
     {Action::FrameScene, GLFW_KEY_F, 0, "Camera", "Frame the scene"},

@@ -51,6 +51,7 @@ void RenderView::draw_scene_overlays(Document& document, Toolbox& toolbox, ImDra
                                                   transform_.scale(), scene->bounds());
   ToolView view{projection, &transform_};
   view.mouse = from_imgui(ImGui::GetMousePos());
+  view.double_click = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
   const RenderSettings& settings = document.settings();
   NavigationTarget target;
   target.move = [&](const auto& move) { document.move_camera(move); };
@@ -60,6 +61,7 @@ void RenderView::draw_scene_overlays(Document& document, Toolbox& toolbox, ImDra
   target.picture_height = transform_.scale() * static_cast<float>(settings.height);
   mouse_.update(document, toolbox, view, target, hovered);
 
+  draw_photons(projection, list, corner, room);
   if (settings.region) draw_region(*settings.region, settings, transform_, list);
   draw_overlays(document, view, list);
   toolbox.tool().draw(document, view, list);
@@ -68,6 +70,24 @@ void RenderView::draw_scene_overlays(Document& document, Toolbox& toolbox, ImDra
   }
   const std::string hint = toolbox.tool().hint();
   if (!hint.empty()) draw_hint(list, corner + Vec2(room.x / 2, room.y - scaled(32)), hint);
+}
+
+/// Depth-tested against the scene, which itself stays invisible.
+void RenderView::draw_photons(const ViewProjection& projection, ImDrawList& list, Vec2 corner,
+                              Vec2 room) {
+  if (!display_.has_photons()) return;
+  const Mat4 clip_from_world = projection.clip_from_world(corner, room);
+  if (clip_from_world != photons_from_world_ || display_.version() != photons_version_) {
+    photons_from_world_ = clip_from_world;
+    photons_version_ = display_.version();
+    photons_.begin(static_cast<int>(room.x), static_cast<int>(room.y), Vec4(0));
+    MeshRaster::Look look;
+    look.style = MeshStyle::DepthOnly;
+    display_.draw_mesh(clip_from_world, look);
+    display_.draw_photons(clip_from_world, {});
+    RasterTarget::end();
+  }
+  list.AddImage(photons_.id(), to_imgui(corner), to_imgui(corner + room));
 }
 
 void RenderView::find_hovered_pixel(const Document& document, bool hovered) {

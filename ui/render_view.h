@@ -3,7 +3,9 @@
 #include <memory>
 #include <optional>
 
+#include "ui/display_scene.h"
 #include "ui/document.h"
+#include "ui/gl/raster_target.h"
 #include "ui/picture_developer.h"
 #include "ui/picture_texture.h"
 #include "ui/view_mouse.h"
@@ -15,7 +17,8 @@ namespace guidelight {
 /// The picture and what is drawn over it.
 class RenderView {
  public:
-  explicit RenderView(const Window& window) : mouse_(window) {}
+  RenderView(const Window& window, const DisplayScene& display)
+      : display_(display), mouse_(window) {}
 
   void show(std::shared_ptr<const Picture> picture);
   /// What is on the screen; null before the first.
@@ -36,13 +39,19 @@ class RenderView {
   void draw_picture(ImDrawList& list);
   void draw_scene_overlays(Document& document, Toolbox& toolbox, ImDrawList& list, Vec2 corner,
                            Vec2 room, bool hovered);
+  void draw_photons(const ViewProjection& projection, ImDrawList& list, Vec2 corner, Vec2 room);
   void find_hovered_pixel(const Document& document, bool hovered);
 
+  const DisplayScene& display_;
   std::shared_ptr<const Picture> picture_;
   PictureTexture texture_;
   ViewTransform transform_;
   ViewMouse mouse_;
   std::optional<glm::ivec2> hovered_pixel_;
+
+  RasterTarget photons_;  // over the picture
+  Mat4 photons_from_world_{0.0f};
+  uint64_t photons_version_ = 0;
 };
 
 }  // namespace guidelight

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "ui/overlays/guide_overlay.h"
 #include "ui/overlays/world_painter.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -16,7 +17,9 @@ constexpr ImU32 kCameraMark = IM_COL32(120, 190, 255, 255);
 
 }  // namespace
 
-void draw_overlays(const Document&, const ToolView&, ImDrawList&) {}
+void draw_overlays(const Document& document, const ToolView& view, ImDrawList& list) {
+  draw_guides(document, view, list);
+}
 
 void draw_lights(const Scene& scene, const ToolView& view, ImDrawList& list) {
   WorldPainter painter(scene, view, list);

@@ -5,6 +5,7 @@
 
 #include "ui/document.h"
 #include "ui/key_table.h"
+#include "ui/photons/photon_colors.h"
 #include "ui/picture_developer.h"
 #include "ui/recent_files.h"
 #include "ui/render_view.h"
@@ -15,7 +16,12 @@ namespace guidelight {
 
 using Perform = std::function<void(Action)>;
 
-void draw_menu_bar(const RecentFiles& recent, const Perform& perform,
+/// Why an action makes no sense at the moment; empty if it does.
+std::string why_disabled(Action action, const Document& document);
+/// As in menus, with what exactly would be undone.
+std::string menu_label(Action action, const Document& document);
+
+void draw_menu_bar(const Document& document, const RecentFiles& recent, const Perform& perform,
                    const std::function<void(const std::string&)>& open_scene, ViewLayout& views);
 
 void draw_scene_panel(const Document& document);
@@ -31,6 +37,13 @@ void draw_inspector_panel(Document& document, std::optional<glm::ivec2> hovered)
 
 /// `loading` names the scene that is being read; empty if there is none.
 void draw_status_bar(const Document& document, const RenderView& view, const std::string& loading);
+
+/// The list of guide paths and what can be set of the selected one.
+void draw_guides_panel(Document& document, bool tool_active, const std::string& file,
+                       const Perform& perform);
+
+/// What photons there are, and how they are shown.
+void draw_photons_panel(Document& document, const PowerHistogram& powers);
 
 /// Messages in the lower left corner of the view, newest at the bottom.
 void draw_messages(Messages& messages, ImVec2 corner, float width);
