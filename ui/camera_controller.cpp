@@ -37,6 +37,12 @@ Vec3 CameraController::forward() const { return glm::normalize(Vec3(to_world_[2]
 Vec3 CameraController::right() const { return -glm::normalize(Vec3(to_world_[0])); }
 Vec3 CameraController::up() const { return glm::normalize(Vec3(to_world_[1])); }
 
+void CameraController::stand(const Mat4& to_world, Vec3 world_up, float pivot_distance) {
+  to_world_ = to_world;
+  world_up_ = world_up;
+  set_pivot_distance(pivot_distance);
+}
+
 void CameraController::set_pivot_distance(float distance) {
   if (std::isfinite(distance) && distance > 0) pivot_distance_ = distance;
 }
@@ -100,6 +106,16 @@ void CameraController::frame(const Bounds& bounds) {
     set_pivot_distance(bounds.radius() * std::sqrt(1 + sqr(tan_half)) / tan_half);
   }
   to_world_[3] = Vec4(bounds.center() - pivot_distance_ * forward(), 1);
+}
+
+std::optional<float> pivot_distance(const Scene& scene) {
+  const Camera& camera = scene.camera();
+  const Vec2 middle = 0.5f * Vec2(camera.width(), camera.height());
+  const Ray ray = camera.sample_ray(middle, Vec2(0.5f)).ray;
+  const Hit hit = scene.intersect(ray);
+  if (!hit.valid()) return std::nullopt;
+  const Vec3 target = ray.origin + hit.t * ray.direction;
+  return glm::dot(target - camera.position(), camera.forward());
 }
 
 }  // namespace guidelight

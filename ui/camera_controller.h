@@ -1,7 +1,8 @@
 #pragma once
 
-#include "renderer/scene/camera.h"
-#include "renderer/scene/shape.h"
+#include <optional>
+
+#include "renderer/scene/scene.h"
 
 namespace guidelight {
 
@@ -16,6 +17,8 @@ class CameraController {
 
   const Mat4& to_world() const { return to_world_; }
   void set_to_world(const Mat4& to_world) { to_world_ = to_world; }
+  /// Stands elsewhere, with the same lens.
+  void stand(const Mat4& to_world, Vec3 world_up, float pivot_distance);
   Vec3 position() const { return Vec3(to_world_[3]); }
   Vec3 forward() const;
   Vec3 right() const;
@@ -53,5 +56,9 @@ class CameraController {
   float tan_half_width_ = 0.5f;
   bool orthographic_ = false;
 };
+
+/// The distance along the view direction to what is seen in the middle of the scene's picture;
+/// empty if nothing is.
+std::optional<float> pivot_distance(const Scene& scene);
 
 }  // namespace guidelight

@@ -119,13 +119,7 @@ void Document::reset_camera() {
 void Document::find_pivot() {
   const auto scene = current_scene();
   if (!scene) return;
-  const Camera& camera = scene->camera();
-  const Vec2 middle = 0.5f * Vec2(camera.width(), camera.height());
-  const Ray ray = camera.sample_ray(middle, Vec2(0.5f)).ray;
-  const Hit hit = scene->intersect(ray);
-  if (!hit.valid()) return;
-  const Vec3 target = ray.origin + hit.t * ray.direction;
-  camera_.set_pivot_distance(glm::dot(target - camera_.position(), camera_.forward()));
+  if (const auto distance = pivot_distance(*scene)) camera_.set_pivot_distance(*distance);
 }
 
 // -- The render.

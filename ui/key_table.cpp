@@ -30,6 +30,9 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>({
     {Action::RegionTool, GLFW_KEY_R, 0, "Render", "Draw a render region"},
     {Action::ClearRegion, GLFW_KEY_R, kShift, "Render", "Render the whole picture"},
 
+    {Action::CycleViews, GLFW_KEY_TAB, 0, "View", "Render, scout or both views"},
+    {Action::ViewFromRender, GLFW_KEY_V, 0, "View", "Scout from the render camera"},
+
     {Action::FrameScene, GLFW_KEY_F, 0, "Camera", "Frame the scene"},
     {Action::ResetCamera, GLFW_KEY_HOME, 0, "Camera", "Reset the camera"},
 
@@ -71,6 +74,13 @@ const std::array<FlyKey, 6> kFlyKeys = {{
     {GLFW_KEY_Q, {0, -1, 0}, "down"},
 }};
 
+constexpr auto kToolKeys = std::to_array<ToolKey>({
+    {ToolCommand::Finish, GLFW_KEY_ENTER, "end the path (or double-click)"},
+    {ToolCommand::Finish, GLFW_KEY_KP_ENTER, nullptr},
+    {ToolCommand::RemoveLast, GLFW_KEY_BACKSPACE, "take back the last vertex"},
+    {ToolCommand::Cancel, GLFW_KEY_ESCAPE, "cancel"},
+});
+
 std::string modifier_text(int modifiers) {
   std::string text;
   if (modifiers & kControl) text += "Ctrl+";
@@ -88,6 +98,14 @@ std::string key_name(int key) {
       return "Backspace";
     case GLFW_KEY_HOME:
       return "Home";
+    case GLFW_KEY_TAB:
+      return "Tab";
+    case GLFW_KEY_ENTER:
+      return "Enter";
+    case GLFW_KEY_ESCAPE:
+      return "Esc";
+    case GLFW_KEY_DELETE:
+      return "Del";
     case GLFW_KEY_EQUAL:
       return "+";
     case GLFW_KEY_MINUS:
@@ -106,6 +124,13 @@ const KeyBinding& binding_of(Action action) {
 std::span<const KeyBinding> key_bindings() { return kKeyBindings; }
 std::span<const MouseBinding> mouse_bindings() { return kMouseBindings; }
 std::span<const FlyKey> fly_keys() { return kFlyKeys; }
+std::span<const ToolKey> tool_keys() { return kToolKeys; }
+
+std::optional<ToolCommand> tool_command_for(int key, int modifiers) {
+  if (modifiers & (kShift | kControl | kAlt)) return std::nullopt;
+  const auto found = std::ranges::find(kToolKeys, key, &ToolKey::key);
+  return found == kToolKeys.end() ? std::nullopt : std::optional(found->command);
+}
 
 float fly_speed_factor(int modifiers) {
   if (modifiers & kShift) return 4.0f;

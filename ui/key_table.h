@@ -20,6 +20,8 @@ enum class Action {
   ExportHalf,
   ExportFloat,
   Quit,
+  CycleViews,
+  ViewFromRender,
   PauseResume,
   Restart,
   RegionTool,
@@ -39,6 +41,15 @@ enum class Action {
   HideUi,
   LargerUi,
   SmallerUi,
+};
+
+/// Keys that mean something while a tool is at work.
+enum class ToolCommand { Finish, RemoveLast, Cancel };
+
+struct ToolKey {
+  ToolCommand command;
+  int key;  // GLFW key code
+  const char* label;
 };
 
 struct KeyBinding {
@@ -72,6 +83,8 @@ struct FlyKey {
 std::span<const KeyBinding> key_bindings();
 std::span<const MouseBinding> mouse_bindings();
 std::span<const FlyKey> fly_keys();
+std::span<const ToolKey> tool_keys();
+std::optional<ToolCommand> tool_command_for(int key, int modifiers);
 
 /// While flying Shift is fast and Ctrl is slow.
 float fly_speed_factor(int modifiers);

@@ -33,30 +33,37 @@ void Layout::update(bool panels_shown, float menu_height) {
   drag_border("right border", window.x - right, right_width_, -1);
 }
 
-/// An invisible strip over the border; direction 1 makes the column wider to the right.
+/// Direction 1 makes the column wider to the right.
 void Layout::drag_border(const char* name, float x, float& width, float direction) {
+  const float moved = drag_vertical_border(name, view_, x - view_.corner.x);
+  if (moved == 0) return;
+  const float widest = (ImGui::GetIO().DisplaySize.x / scaled(1) - kNarrowestView) / 2;
+  width += direction * moved / scaled(1);
+  width = std::clamp(width, kNarrowest, std::max(kNarrowest, widest));
+}
+
+/// An invisible strip over the border.
+float drag_vertical_border(const char* name, const Area& area, float x) {
   const float half = scaled(4);
-  ImGui::SetNextWindowPos({x - half, view_.corner.y});
-  ImGui::SetNextWindowSize({2 * half, view_.size.y});
+  x += area.corner.x;
+  ImGui::SetNextWindowPos({x - half, area.corner.y});
+  ImGui::SetNextWindowSize({2 * half, area.size.y});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
   ImGui::Begin(name, nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground |
                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
-  ImGui::InvisibleButton("drag", {2 * half, view_.size.y});
+  ImGui::InvisibleButton("drag", {2 * half, area.size.y});
   const bool lit = ImGui::IsItemHovered() || ImGui::IsItemActive();
   if (lit) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-  if (ImGui::IsItemActive()) {
-    const float widest = (ImGui::GetIO().DisplaySize.x / scaled(1) - kNarrowestView) / 2;
-    width += direction * ImGui::GetIO().MouseDelta.x / scaled(1);
-    width = std::clamp(width, kNarrowest, std::max(kNarrowest, widest));
-  }
+  const float moved = ImGui::IsItemActive() ? ImGui::GetIO().MouseDelta.x : 0;
   const float line = std::max(1.0f, scaled(lit ? 2 : 1));
-  ImGui::GetWindowDrawList()->AddRectFilled({x - line / 2, view_.corner.y},
-                                            {x + line / 2, view_.corner.y + view_.size.y},
+  ImGui::GetWindowDrawList()->AddRectFilled({x - line / 2, area.corner.y},
+                                            {x + line / 2, area.corner.y + area.size.y},
                                             lit ? palette::kAccent : palette::kLine);
   ImGui::End();
   ImGui::PopStyleVar(2);
+  return moved;
 }
 
 void begin_area(const char* name, const Area& area, Padding padding, ImU32 background) {

@@ -30,6 +30,10 @@ class Layout {
   Area left_, view_, right_, status_;
 };
 
+/// A border at x, relative to the area, that can be dragged: draws it and returns how far it was
+/// moved in this frame [pixels].
+float drag_vertical_border(const char* name, const Area& area, float x);
+
 /// The room between the edge of an area and what is in it. Only panels scroll.
 enum class Padding { None, Bar, Panel };
 

@@ -18,8 +18,11 @@
 #include "ui/picture_developer.h"
 #include "ui/recent_files.h"
 #include "ui/render_view.h"
+#include "ui/scout/scout_view.h"
 #include "ui/theme.h"
+#include "ui/tools/region_tool.h"
 #include "ui/ui_queue.h"
+#include "ui/view_layout.h"
 #include "ui/widgets.h"
 #include "ui/window.h"
 
@@ -48,13 +51,16 @@ class Viewer {
  private:
   void draw_frame();
   void draw_panels();
-  void draw_view();
+  void draw_views();
   void update_title();
   void wait_for_next_frame(Clock::time_point last_frame);
   double seconds_to_sleep() const;
 
+  bool animating() const { return view_.animating() || scout_.animating(); }
   void handle_key(int key, int modifiers);
   void perform(Action action);
+  /// Whether camera commands are meant for the scout view.
+  bool works_in_scout() const { return !views_.shows_render() || scout_.hovered(); }
   void choose_file(FileRequest request, std::function<void(const std::string&)> chosen,
                    const std::string& start);
   void show_new_scene();
@@ -63,7 +69,9 @@ class Viewer {
   Window window_;
   Document document_{&Window::wake};
   PictureDeveloper developer_;
+  Toolbox toolbox_;
   RenderView view_{window_};
+  ScoutView scout_{window_, *queue_};
   Exporter exporter_;
   CheckpointSaver checkpoints_;
   Opener opener_;
@@ -71,6 +79,7 @@ class Viewer {
   RecentFiles recent_;
   FileDialog file_dialog_;
   Layout layout_;
+  ViewLayout views_;
   std::string title_;
   bool panels_shown_ = true;
   bool inspector_shown_ = true;
@@ -128,7 +137,7 @@ void Viewer::run() {
 
 /// Sleeps until something happens; no more than sixty frames are drawn in a second.
 void Viewer::wait_for_next_frame(Clock::time_point last_frame) {
-  if (--frames_due_ <= 0 && !view_.animating()) {
+  if (--frames_due_ <= 0 && !animating()) {
     window_.wait_events(seconds_to_sleep());
     frames_due_ = kFramesAfterEvent;
   }
@@ -155,11 +164,12 @@ void Viewer::draw_frame() {
   const auto act = [this](Action action) { perform(action); };
   float menu_height = 0;
   if (panels_shown_) {
-    draw_menu_bar(recent_, act, [this](const std::string& path) { opener_.open(path); });
+    draw_menu_bar(
+        recent_, act, [this](const std::string& path) { opener_.open(path); }, views_);
     menu_height = ImGui::GetFrameHeight();
   }
   layout_.update(panels_shown_, menu_height);
-  draw_view();
+  draw_views();
   if (panels_shown_) draw_panels();
   file_dialog_.draw(recent_);
   if (key_sheet_shown_) draw_key_sheet(key_sheet_shown_);
@@ -174,11 +184,19 @@ void Viewer::draw_frame() {
   }
 }
 
-void Viewer::draw_view() {
-  begin_area("view", layout_.view(), Padding::None, palette::kBackdrop);
-  view_.draw(document_);
-  ImGui::End();
+void Viewer::draw_views() {
   const Area& area = layout_.view();
+  views_.update(area);
+  if (views_.shows_render()) {
+    begin_area("view", views_.render(), Padding::None, palette::kBackdrop);
+    view_.draw(document_, toolbox_);
+    ImGui::End();
+  }
+  if (views_.shows_scout()) {
+    begin_area("scout", views_.scout(), Padding::None, palette::kBackdrop);
+    scout_.draw(document_, toolbox_);
+    ImGui::End();
+  }
   const float margin = scaled(12);
   draw_messages(document_.messages(),
                 {area.corner.x + margin, area.corner.y + area.size.y - margin},
@@ -190,7 +208,7 @@ void Viewer::draw_panels() {
   begin_area("left", layout_.left(), Padding::Panel, palette::kPanel);
   draw_scene_panel(document_);
   draw_integrator_panel(document_);
-  draw_render_panel(document_, view_.region_tool_active(), checkpoints_.autosave_minutes(), act);
+  draw_render_panel(document_, toolbox_.holds<RegionTool>(), checkpoints_.autosave_minutes(), act);
   ImGui::End();
 
   begin_area("right", layout_.right(), Padding::Panel, palette::kPanel);
@@ -208,7 +226,12 @@ void Viewer::draw_panels() {
 
 void Viewer::handle_key(int key, int modifiers) {
   frames_due_ = kFramesAfterEvent;
-  if (view_.animating() || file_dialog_.is_open()) return;
+  if (animating() || file_dialog_.is_open()) return;
+  const auto command = tool_command_for(key, modifiers);
+  if (command && document_.has_scene() && toolbox_.tool().take(document_, *command)) {
+    toolbox_.tidy();
+    return;
+  }
   if (const auto action = action_for(key, modifiers)) perform(*action);
 }
 
@@ -261,10 +284,15 @@ void Viewer::perform(Action action) {
       document_.restart();
       break;
     case Action::RegionTool:
-      view_.region_tool_active() ? view_.use_default_tool() : view_.use_region_tool();
+      if (toolbox_.holds<RegionTool>()) {
+        toolbox_.use_default();
+      } else {
+        toolbox_.use(std::make_unique<RegionTool>());
+        if (!views_.shows_render()) views_.show(ShownViews::Render);
+      }
       break;
     case Action::ClearRegion: {
-      view_.use_default_tool();
+      toolbox_.use_default();
       RenderSettings settings = document_.settings();
       if (settings.region) {
         settings.region.reset();
@@ -272,12 +300,27 @@ void Viewer::perform(Action action) {
       }
       break;
     }
+    case Action::CycleViews:
+      views_.cycle();
+      break;
+    case Action::ViewFromRender:
+      if (document_.has_scene()) scout_.stand_at_render_camera(document_);
+      break;
     case Action::FrameScene:
-      document_.move_camera(
-          [&](CameraController& camera) { camera.frame(document_.scene().bounds()); });
+      if (!document_.has_scene()) break;
+      if (works_in_scout()) {
+        scout_.frame(document_.scene().bounds());
+      } else {
+        document_.move_camera(
+            [&](CameraController& camera) { camera.frame(document_.scene().bounds()); });
+      }
       break;
     case Action::ResetCamera:
-      document_.reset_camera();
+      if (works_in_scout()) {
+        scout_.stand_at_render_camera(document_);
+      } else {
+        document_.reset_camera();
+      }
       break;
     case Action::ExposureUp:
       display.exposure += kExposureStep;
@@ -322,8 +365,9 @@ void Viewer::perform(Action action) {
 }
 
 void Viewer::show_new_scene() {
-  view_.use_default_tool();
+  toolbox_.use_default();
   view_.transform().fit();
+  scout_.show(document_);
   try {
     recent_.add(document_.opened().path);
   } catch (const std::exception& error) {

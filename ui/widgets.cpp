@@ -123,6 +123,19 @@ bool toggle_button(const char* label, bool on, ImVec2 size) {
   return pressed;
 }
 
+void centered_text(ImDrawList& list, Vec2 center, ImU32 color, const std::string& text) {
+  const Vec2 size = from_imgui(ImGui::CalcTextSize(text.c_str()));
+  list.AddText(to_imgui(glm::round(center - 0.5f * size)), color, text.c_str());
+}
+
+void draw_hint(ImDrawList& list, Vec2 center, const std::string& text) {
+  const Vec2 half =
+      0.5f * from_imgui(ImGui::CalcTextSize(text.c_str())) + Vec2(scaled(12), scaled(6));
+  list.AddRectFilled(to_imgui(center - half), to_imgui(center + half), IM_COL32(20, 20, 20, 225),
+                     scaled(8));
+  centered_text(list, center, palette::kText, text);
+}
+
 std::string shortened(const std::string& text, float width) {
   if (text_width(text) <= width) return text;
   const std::vector<size_t> starts = character_starts(text);

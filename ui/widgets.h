@@ -40,6 +40,10 @@ void tooltip(const std::string& text);
 /// A button in the accent colour while `on`.
 bool toggle_button(const char* label, bool on, ImVec2 size = {0, 0});
 
+/// Text around a point of the screen; the second on a dark pill.
+void centered_text(ImDrawList& list, Vec2 center, ImU32 color, const std::string& text);
+void draw_hint(ImDrawList& list, Vec2 center, const std::string& text);
+
 /// The text, or its beginning and end around "…", so that it is no wider than `width`.
 std::string shortened(const std::string& text, float width);
 

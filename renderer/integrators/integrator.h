@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "renderer/image/film.h"
+#include "renderer/integrators/chain_statistics.h"
 #include "renderer/integrators/parameters.h"
 #include "renderer/parallel/parallel.h"
 #include "renderer/scene/scene.h"
@@ -53,6 +54,9 @@ class Integrator {
   /// index). Throws Stopped if the loops were told to stop; the film then holds a part of the pass.
   /// Whoever calls this ends a whole pass with Film::finish_pass.
   virtual void render_pass(uint32_t pass, Film& film, const PassContext& context) = 0;
+
+  /// Of Markov chains, after a pass; empty for methods without.
+  virtual std::optional<ChainStatistics> chain_statistics() const { return std::nullopt; }
 };
 
 /// An entry of the list of integrators.

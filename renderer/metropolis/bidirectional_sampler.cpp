@@ -17,7 +17,8 @@ BidirectionalSampler::Splits BidirectionalSampler::splits(const Gap& gap) {
   return {0, gap.from_eye == 0 ? gap.inserted - 1 : gap.inserted};
 }
 
-bool BidirectionalSampler::fill(const Gap& gap, Path& y, Rng& rng) const {
+template <typename Random>
+bool BidirectionalSampler::fill(const Gap& gap, Path& y, Random& rng) const {
   const Splits possible = splits(gap);
   const int from_light =
       possible.first + static_cast<int>(rng.next_float() * static_cast<float>(possible.count()));
@@ -29,7 +30,8 @@ bool BidirectionalSampler::fill(const Gap& gap, Path& y, Rng& rng) const {
   return s == 0 || is_visible(scene_, y, s - 1);
 }
 
-bool BidirectionalSampler::grow_from_light(const Gap& gap, int count, Path& y, Rng& rng) const {
+template <typename Random>
+bool BidirectionalSampler::grow_from_light(const Gap& gap, int count, Path& y, Random& rng) const {
   int i = gap.from_light;
   const int end = gap.from_light + count;
   if (i == 0 && i < end) {
@@ -43,7 +45,8 @@ bool BidirectionalSampler::grow_from_light(const Gap& gap, int count, Path& y, R
   return true;
 }
 
-bool BidirectionalSampler::grow_from_eye(const Gap& gap, int count, Path& y, Rng& rng) const {
+template <typename Random>
+bool BidirectionalSampler::grow_from_eye(const Gap& gap, int count, Path& y, Random& rng) const {
   int i = y.length() - gap.from_eye;
   const int end = i - count;
   if (gap.from_eye == 0) {
@@ -77,8 +80,8 @@ double BidirectionalSampler::density(const Gap& gap, const Path& y) const {
   return sum / possible.count();
 }
 
-PathSampler::PathSampler(const Scene& scene, const PathLengths& lengths)
-    : sampler_(scene), lengths_(lengths) {
+PathSampler::PathSampler(const Scene& scene, const PathLengths& lengths, PathFilter filter)
+    : sampler_(scene), lengths_(lengths), filter_(std::move(filter)) {
   // Longer paths carry less.
   constexpr float kDecay = 0.75f;
   std::vector<float> weights;
@@ -88,14 +91,20 @@ PathSampler::PathSampler(const Scene& scene, const PathLengths& lengths)
   distribution_ = DiscreteDistribution(weights);
 }
 
-double PathSampler::sample(Path& path, Rng& rng) const {
+template <typename Random>
+double PathSampler::sample(Path& path, Random& rng) const {
   const auto length = distribution_.sample(rng.next_float());
   const BidirectionalSampler::Gap gap{.from_light = 0,
                                       .inserted = lengths_.min + static_cast<int>(length.index) + 1,
                                       .from_eye = 0};
   path.points.resize(gap.inserted);
-  if (!sampler_.fill(gap, path, rng)) return 0;
+  if (!sampler_.fill(gap, path, rng) || (filter_ && !filter_(path))) return 0;
   return length.pmf * sampler_.density(gap, path);
 }
+
+template bool BidirectionalSampler::fill(const Gap&, Path&, Rng&) const;
+template bool BidirectionalSampler::fill(const Gap&, Path&, PrimarySamples&) const;
+template double PathSampler::sample(Path&, Rng&) const;
+template double PathSampler::sample(Path&, PrimarySamples&) const;
 
 }  // namespace guidelight

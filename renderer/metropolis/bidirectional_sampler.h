@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/metropolis/path_lengths.h"
-#include "renderer/sampling/random.h"
+#include "renderer/sampling/primary_samples.h"
 #include "renderer/transport/path.h"
 
 namespace guidelight {
@@ -25,7 +25,9 @@ class BidirectionalSampler {
   };
 
   /// `y` holds the kept vertices (Path::splice). False if the path is broken or carries nothing.
-  bool fill(const Gap& gap, Path& y, Rng& rng) const;
+  /// `Random` is Rng or PrimarySamples.
+  template <typename Random>
+  bool fill(const Gap& gap, Path& y, Random& rng) const;
 
   /// Density of the inserted vertices of y, over all techniques.
   double density(const Gap& gap, const Path& y) const;
@@ -38,8 +40,10 @@ class BidirectionalSampler {
     int count() const { return last - first + 1; }
   };
   static Splits splits(const Gap& gap);
-  bool grow_from_light(const Gap& gap, int count, Path& y, Rng& rng) const;
-  bool grow_from_eye(const Gap& gap, int count, Path& y, Rng& rng) const;
+  template <typename Random>
+  bool grow_from_light(const Gap& gap, int count, Path& y, Random& rng) const;
+  template <typename Random>
+  bool grow_from_eye(const Gap& gap, int count, Path& y, Random& rng) const;
 
   const Scene& scene_;
 };
@@ -47,14 +51,17 @@ class BidirectionalSampler {
 /// Draws whole paths of all lengths, for seeding.
 class PathSampler {
  public:
-  PathSampler(const Scene& scene, const PathLengths& lengths);
+  PathSampler(const Scene& scene, const PathLengths& lengths, PathFilter filter = {});
 
   /// The path's density, over all techniques, or 0 if there is none; in the measure of Path.
-  double sample(Path& path, Rng& rng) const;
+  /// `Random` is Rng or PrimarySamples.
+  template <typename Random>
+  double sample(Path& path, Random& rng) const;
 
  private:
   BidirectionalSampler sampler_;
   PathLengths lengths_;
+  PathFilter filter_;
   DiscreteDistribution distribution_;  // of lengths from lengths_.min on
 };
 

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <functional>
+
 namespace guidelight {
+
+class Path;
 
 /// The paths that a chain visits, by their number of segments.
 struct PathLengths {
@@ -9,5 +13,8 @@ struct PathLengths {
 
   bool contains(int length) const { return length >= min && length <= max; }
 };
+
+/// Which paths count for a chain; empty for all. The others carry nothing to it.
+using PathFilter = std::function<bool(const Path&)>;
 
 }  // namespace guidelight

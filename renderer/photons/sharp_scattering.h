@@ -22,12 +22,14 @@ class SharpScattering {
   bool operator()(const PathVertex& vertex, const Scattering& scattering, Vec3 wi) const {
     if (!(vertex.point.bsdf->lobes() & kLobeGlossy)) return false;
     const BsdfEvaluation bsdf = scattering.evaluate(wi);
-    return std::max(bsdf.pdf, bsdf.pdf_reverse) * vertex.survival > bound_;
+    return is_above(std::max(bsdf.pdf, bsdf.pdf_reverse) * vertex.survival);
   }
+  /// The larger density of a finite event of a glossy lobe, survival included [1/sr].
+  bool is_above(float pdf) const { return pdf > bound_; }
 
   /// The event at the origin of a path's current segment, where that is a vertex.
   bool at_origin(const Subpath& path) const {
-    return !path.is_connectible || std::max(path.pdf, path.pdf_backward) > bound_;
+    return !path.is_connectible || is_above(std::max(path.pdf, path.pdf_backward));
   }
 
  private:

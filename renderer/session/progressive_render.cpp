@@ -66,6 +66,7 @@ class ProgressiveRender {
       if (job_.techniques) job_.techniques->finish_pass();
       status_.photons =
           context.photons ? std::make_shared<PhotonCloud>(std::move(photons.cloud())) : nullptr;
+      status_.chains = integrator->chain_statistics();
       status_.passes = pass + 1;
       const bool finished = target_reached(*film);
       if (finished || pass == first_pass || publishing_is_due()) {

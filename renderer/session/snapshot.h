@@ -2,9 +2,11 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "renderer/image/film.h"
+#include "renderer/integrators/chain_statistics.h"
 #include "renderer/photons/photon_cloud.h"
 
 namespace guidelight {
@@ -32,6 +34,9 @@ struct Snapshot {
 
   /// The photons of a recent pass; null unless asked for, and for methods without photons.
   std::shared_ptr<const PhotonCloud> photons;
+
+  /// Of methods with Markov chains, else empty.
+  std::optional<ChainStatistics> chains;
 
   bool has_picture() const { return !layer(Layer::Beauty).empty(); }
   const Image& layer(Layer which) const { return (*layers)[static_cast<size_t>(which)]; }

@@ -32,6 +32,7 @@ void Path::splice(const Path& path, int from_light, int inserted, int from_eye) 
   std::copy_n(path.points.end() - from_eye, from_eye, points.end() - from_eye);
   light = path.light;
   raster = path.raster;
+  guide = kNoGuide;
   pdf_light_ = path.pdf_light_;
   pdf_lens_ = path.pdf_lens_;
   hit_probability_ = path.hit_probability_;
@@ -123,12 +124,12 @@ bool Path::update_lens(const Scene& scene) {
 bool Path::update_scattering(int i) {
   PathPoint& x = points[i];
   const Scattering scattering(x.point, -points[i - 1].direction, TransportMode::Importance);
-  x.value = scattering.value(x.direction);
-  if (is_black(x.value)) return false;
-  x.pdf_to_eye = scattering.pdf(x.direction);
-  x.pdf_to_light = scattering.pdf_reverse(x.direction);
+  const BsdfEvaluation evaluation = scattering.evaluate(x.direction);
+  x.value = evaluation.value;
+  x.pdf_to_eye = evaluation.pdf;
+  x.pdf_to_light = evaluation.pdf_reverse;
   x.jacobian = 1;
-  return true;
+  return !is_black(x.value);
 }
 
 bool Path::update_specular(int i) {

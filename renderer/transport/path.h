@@ -38,7 +38,10 @@ class Path {
  public:
   std::vector<PathPoint> points;
   const Light* light = nullptr;
-  Vec2 raster{0};  // [pixels] where the path meets the picture
+  Vec2 raster{0};        // [pixels] where the path meets the picture
+  int guide = kNoGuide;  // of a GuideMixture, that proposed the path
+
+  static constexpr int kNoGuide = -1;
 
   int size() const { return static_cast<int>(points.size()); }
   /// Segments.
@@ -64,6 +67,9 @@ class Path {
     return i == 0 ? pdf_light_ : double{points[i - 1].pdf_to_eye} * points[i - 1].arrival_eye;
   }
   double pdf_from_eye(int i) const;
+  /// The probability that a path from the eye which finds x₀ takes it for this light's; 0 if the
+  /// light cannot be hit.
+  double hit_probability() const { return hit_probability_; }
 
   /// Density of the bidirectional technique with s vertices drawn from the light and the others
   /// from the eye; 0 where the technique cannot make this path.
@@ -89,7 +95,7 @@ class Path {
 
   double pdf_light_ = 0;
   double pdf_lens_ = 0;
-  double hit_probability_ = 0;  // that a path from the eye which finds x₀ takes it for this light's
+  double hit_probability_ = 0;
   glm::dvec3 contribution_{0};
   double target_ = 0;
 };

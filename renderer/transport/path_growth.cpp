@@ -22,7 +22,8 @@ Lobe event_of(const ScatteringSample& sample) {
 }
 
 /// Draws a direction at a vertex reached from `wo`.
-std::optional<ScatteringSample> scatter(PathPoint& x, Vec3 wo, TransportMode mode, Rng& rng) {
+template <typename Random>
+std::optional<ScatteringSample> scatter(PathPoint& x, Vec3 wo, TransportMode mode, Random& rng) {
   const float u_lobe = rng.next_float();
   auto sample = Scattering(x.point, wo, mode).sample(u_lobe, rng.next_vec2());
   if (!sample || is_black(sample->weight)) return std::nullopt;
@@ -36,19 +37,23 @@ bool may_scatter_finitely(const Path& path, int i) {
 
 }  // namespace
 
-bool sample_light(const Scene& scene, Path& path, Rng& rng, Ray& ray) {
+void start_from(Path& path, const Light& light, const EmissionSample& emission) {
+  path.light = &light;
+  PathPoint& x0 = path.points[0];
+  x0.event = kLobeNone;
+  x0.point = light.is_infinite() ? SurfacePoint{} : emission.point;
+  if (light.is_delta_position()) x0.point.position = emission.ray.origin;
+  x0.direction = emission.ray.direction;
+}
+
+template <typename Random>
+bool sample_light(const Scene& scene, Path& path, Random& rng, Ray& ray) {
   const auto choice = scene.choose_light(rng.next_float());
   if (!choice) return false;
   const Vec2 u_position = rng.next_vec2();
   const auto sample = choice->light->sample_emission(u_position, rng.next_vec2());
   if (!sample || is_black(sample->weight)) return false;
-  path.light = choice->light;
-  PathPoint& x0 = path.points[0];
-  x0.event = kLobeNone;
-  x0.point = sample->point;
-  if (choice->light->is_infinite()) x0.point = {};
-  if (choice->light->is_delta_position()) x0.point.position = sample->ray.origin;
-  x0.direction = sample->ray.direction;
+  start_from(path, *choice->light, *sample);
   ray = sample->ray;
   return true;
 }
@@ -95,13 +100,15 @@ bool arrive_from_eye(const Scene& scene, Path& path, int i, const Ray& ray, floa
   return path.light != nullptr;
 }
 
-bool scatter_to_eye(const Scene& scene, Path& path, int i, Vec3 to_light, Rng& rng) {
+template <typename Random>
+bool scatter_to_eye(const Scene& scene, Path& path, int i, Vec3 to_light, Random& rng) {
   const auto sample = scatter(path.points[i], to_light, TransportMode::Importance, rng);
   return sample &&
          arrive_from_light(scene, path, i + 1, path.points[i].point.spawn_ray(sample->wi));
 }
 
-bool scatter_to_light(const Scene& scene, Path& path, int i, Vec3 to_eye, Rng& rng) {
+template <typename Random>
+bool scatter_to_light(const Scene& scene, Path& path, int i, Vec3 to_eye, Random& rng) {
   const auto sample = scatter(path.points[i], to_eye, TransportMode::Radiance, rng);
   const float u = i == 1 ? rng.next_float() : 0.0f;
   return sample &&
@@ -165,5 +172,12 @@ bool is_visible(const Scene& scene, const Path& path, int i) {
   const float clipped = camera.description().near_clip / -glm::dot(camera.forward(), w);
   return !scene.occluded(a.spawn_ray_to(b.position - clipped * w));
 }
+
+template bool sample_light(const Scene&, Path&, Rng&, Ray&);
+template bool sample_light(const Scene&, Path&, PrimarySamples&, Ray&);
+template bool scatter_to_eye(const Scene&, Path&, int, Vec3, Rng&);
+template bool scatter_to_eye(const Scene&, Path&, int, Vec3, PrimarySamples&);
+template bool scatter_to_light(const Scene&, Path&, int, Vec3, Rng&);
+template bool scatter_to_light(const Scene&, Path&, int, Vec3, PrimarySamples&);
 
 }  // namespace guidelight

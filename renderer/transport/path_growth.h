@@ -1,16 +1,21 @@
 #pragma once
 
-#include "renderer/sampling/random.h"
+#include "renderer/sampling/primary_samples.h"
 #include "renderer/transport/path.h"
 
 namespace guidelight {
 
 // How explicit paths are built, vertex by vertex. Each function returns false where the path ends;
-// Path::update() computes what follows from the vertices once they all stand.
+// Path::update() computes what follows from the vertices once they all stand. `Random` is Rng or
+// PrimarySamples.
+
+/// Makes x₀ what a light has emitted from, with the first direction.
+void start_from(Path& path, const Light& light, const EmissionSample& emission);
 
 /// Draws x₀ on a light and the first direction; points[0] must exist. At infinity also the place of
 /// the first ray, which goes to `ray`.
-bool sample_light(const Scene& scene, Path& path, Rng& rng, Ray& ray);
+template <typename Random>
+bool sample_light(const Scene& scene, Path& path, Random& rng, Ray& ray);
 
 /// Draws the lens vertex for a place in the picture; the first ray from there goes to `ray`.
 void sample_lens(const Scene& scene, Path& path, Vec2 raster, Vec2 u_lens, Ray& ray);
@@ -25,8 +30,10 @@ bool arrive_from_light(const Scene& scene, Path& path, int i, const Ray& ray);
 bool arrive_from_eye(const Scene& scene, Path& path, int i, const Ray& ray, float u);
 
 /// Draws the way on from vertex i by its BSDF; sets its event and arrives at the next vertex.
-bool scatter_to_eye(const Scene& scene, Path& path, int i, Vec3 to_light, Rng& rng);
-bool scatter_to_light(const Scene& scene, Path& path, int i, Vec3 to_eye, Rng& rng);
+template <typename Random>
+bool scatter_to_eye(const Scene& scene, Path& path, int i, Vec3 to_light, Random& rng);
+template <typename Random>
+bool scatter_to_light(const Scene& scene, Path& path, int i, Vec3 to_eye, Random& rng);
 
 /// From vertex `from` along `ray` to vertex `to`, scattering between by the delta events that the
 /// vertices have (of another path with as many vertices: the one that is being mutated).

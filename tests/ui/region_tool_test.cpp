@@ -30,16 +30,20 @@ TEST(RegionTool, ADragSetsTheRegionAndAClickClearsIt) {
   settings.width = 100;
   settings.height = 100;
   document.set_settings(settings);
+  ViewTransform transform;
+  transform.set_room({0, 0}, {100, 100}, {100, 100});
+  const ViewProjection projection(Camera({}, {}), {0, 0}, 1, 0.1f, 10);
+  const auto at = [&](Vec2 mouse) { return ToolView{projection, &transform, {}, false, mouse}; };
   RegionTool tool;
-  tool.press(document, {10, 10});
-  tool.drag(document, {30, 20});
+  tool.press(document, at({10, 10}));
+  tool.drag(document, at({30, 20}));
   EXPECT_FALSE(tool.finished());
-  tool.release(document, {40, 50});
+  tool.release(document, at({40, 50}));
   EXPECT_TRUE(tool.finished());
   ASSERT_TRUE(document.settings().region);
   EXPECT_EQ(document.settings().region->x1, 40);
-  tool.press(document, {10, 10});
-  tool.release(document, {10, 10});
+  tool.press(document, at({10, 10}));
+  tool.release(document, at({10, 10}));
   EXPECT_FALSE(document.settings().region);
 }
 

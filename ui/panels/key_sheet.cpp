@@ -30,6 +30,10 @@ std::vector<std::pair<std::string, std::vector<Entry>>> grouped_entries() {
   for (const MouseBinding& binding : mouse_bindings()) {
     group_named(binding.group).push_back({mouse_text(binding), binding.label});
   }
+  auto& tools = group_named("While a path is placed");
+  for (const ToolKey& key : tool_keys()) {
+    if (key.label) tools.push_back({key_text(key.key, 0), key.label});
+  }
   auto& flying = group_named("While the right button is held");
   for (const FlyKey& key : fly_keys()) flying.push_back({key_text(key.key, 0), key.label});
   flying.push_back({"Shift, Ctrl", "fast, slow"});

@@ -20,7 +20,7 @@ void draw_recent_menu(const RecentFiles& recent,
 
 /// One menu per group of the key table, in its order.
 void draw_menu_bar(const RecentFiles& recent, const Perform& perform,
-                   const std::function<void(const std::string&)>& open_scene) {
+                   const std::function<void(const std::string&)>& open_scene, ViewLayout& views) {
   if (!ImGui::BeginMainMenuBar()) return;
   const auto bindings = key_bindings();
   for (size_t i = 0; i < bindings.size();) {
@@ -35,6 +35,7 @@ void draw_menu_bar(const RecentFiles& recent, const Perform& perform,
     }
     if (open) ImGui::EndMenu();
   }
+  views.draw_buttons();
   ImGui::EndMainMenuBar();
 }
 

@@ -8,6 +8,7 @@
 #include "ui/picture_developer.h"
 #include "ui/recent_files.h"
 #include "ui/render_view.h"
+#include "ui/view_layout.h"
 
 /// The panels: each reads the document and sends it edits, none knows another. One file each.
 namespace guidelight {
@@ -15,7 +16,7 @@ namespace guidelight {
 using Perform = std::function<void(Action)>;
 
 void draw_menu_bar(const RecentFiles& recent, const Perform& perform,
-                   const std::function<void(const std::string&)>& open_scene);
+                   const std::function<void(const std::string&)>& open_scene, ViewLayout& views);
 
 void draw_scene_panel(const Document& document);
 void draw_integrator_panel(Document& document);

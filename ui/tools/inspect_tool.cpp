@@ -7,7 +7,9 @@
 
 namespace guidelight {
 
-void InspectTool::press(Document& document, Vec2 pixel) {
+void InspectTool::press(Document& document, const ToolView& view) {
+  if (!view.picture) return;
+  const Vec2 pixel = view.picture->to_pixel(view.mouse);
   const RenderSettings& settings = document.settings();
   const glm::ivec2 picked = glm::ivec2(glm::floor(pixel));
   const bool inside =
@@ -15,12 +17,12 @@ void InspectTool::press(Document& document, Vec2 pixel) {
   document.view().inspected_pixel = inside ? std::optional(picked) : std::nullopt;
 }
 
-void InspectTool::drag(Document& document, Vec2 pixel) { press(document, pixel); }
+void InspectTool::drag(Document& document, const ToolView& view) { press(document, view); }
 
-void InspectTool::draw(const Document& document, const ViewTransform& transform,
-                       ImDrawList& list) const {
+void InspectTool::draw(const Document& document, const ToolView& view, ImDrawList& list) const {
   const auto& pixel = document.view().inspected_pixel;
-  if (!pixel) return;
+  if (!pixel || !view.picture) return;
+  const ViewTransform& transform = *view.picture;
   const Vec2 center = transform.to_screen(Vec2(*pixel) + 0.5f);
   const float half = std::max(scaled(5), 0.5f * transform.scale() + 1);
   const ImVec2 low = to_imgui(center - half);

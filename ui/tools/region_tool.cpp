@@ -31,15 +31,19 @@ void draw_region(const PixelRegion& region, const RenderSettings& settings,
                std::max(1.0f, scaled(1)));
 }
 
-void RegionTool::press(Document&, Vec2 pixel) {
-  from_ = to_ = pixel;
+void RegionTool::press(Document&, const ToolView& view) {
+  if (!view.picture) return;
+  from_ = to_ = view.picture->to_pixel(view.mouse);
   dragging_ = true;
 }
 
-void RegionTool::drag(Document&, Vec2 pixel) { to_ = pixel; }
+void RegionTool::drag(Document&, const ToolView& view) {
+  if (view.picture) to_ = view.picture->to_pixel(view.mouse);
+}
 
-void RegionTool::release(Document& document, Vec2 pixel) {
-  to_ = pixel;
+void RegionTool::release(Document& document, const ToolView& view) {
+  if (!dragging_) return;
+  drag(document, view);
   dragging_ = false;
   finished_ = true;
   RenderSettings settings = document.settings();
@@ -49,12 +53,11 @@ void RegionTool::release(Document& document, Vec2 pixel) {
   document.set_settings(settings);
 }
 
-void RegionTool::draw(const Document& document, const ViewTransform& transform,
-                      ImDrawList& list) const {
-  if (!dragging_) return;
+void RegionTool::draw(const Document& document, const ToolView& view, ImDrawList& list) const {
+  if (!dragging_ || !view.picture) return;
   const RenderSettings& settings = document.settings();
   if (const auto region = region_between(from_, to_, settings.width, settings.height)) {
-    draw_region(*region, settings, transform, list);
+    draw_region(*region, settings, *view.picture, list);
   }
 }
 

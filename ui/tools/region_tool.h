@@ -8,13 +8,12 @@ namespace guidelight {
 /// again.
 class RegionTool : public Tool {
  public:
-  const char* hint() const override { return "Drag a rectangle to render only that part"; }
-  void press(Document& document, Vec2 pixel) override;
-  void drag(Document& document, Vec2 pixel) override;
-  void release(Document& document, Vec2 pixel) override;
+  std::string hint() const override { return "Drag a rectangle to render only that part"; }
+  void press(Document& document, const ToolView& view) override;
+  void drag(Document& document, const ToolView& view) override;
+  void release(Document& document, const ToolView& view) override;
   bool finished() const override { return finished_; }
-  void draw(const Document& document, const ViewTransform& transform,
-            ImDrawList& list) const override;
+  void draw(const Document& document, const ToolView& view, ImDrawList& list) const override;
 
  private:
   Vec2 from_{0};

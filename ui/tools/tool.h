@@ -2,27 +2,44 @@
 
 #include <imgui.h>
 
+#include <string>
+
 #include "ui/document.h"
+#include "ui/key_table.h"
+#include "ui/view_projection.h"
 #include "ui/view_transform.h"
 
 namespace guidelight {
 
-/// What the left button does in the picture. Positions are in pixels of the full-size picture and
-/// may lie outside of it.
+/// The view that a tool works in, and the mouse over it.
+struct ToolView {
+  const ViewProjection& projection;
+  const ViewTransform* picture;  // null in views that do not show the picture
+  /// Points with dot(clip_plane, (p, 1)) < 0 are not shown.
+  Vec4 clip_plane{0, 0, 0, 1};
+  bool sees_through = false;  // nothing hides anything
+  Vec2 mouse{0};              // on the screen [pixels]
+};
+
+/// What the left button does in the views.
 class Tool {
  public:
   virtual ~Tool() = default;
 
-  /// One line that says what to do, shown over the picture; empty for none.
-  virtual const char* hint() const { return ""; }
-  virtual void press(Document& document, Vec2 pixel) = 0;
-  virtual void drag(Document& document, Vec2 pixel) = 0;
-  virtual void release(Document& document, Vec2 pixel) = 0;
+  /// One line that says what to do, shown over the view; empty for none.
+  virtual std::string hint() const { return ""; }
+  /// The mouse rests or moves over the view with no button down.
+  virtual void hover(Document&, const ToolView&) {}
+  virtual void leave() {}
+  virtual void press(Document& document, const ToolView& view) = 0;
+  virtual void drag(Document& document, const ToolView& view) = 0;
+  virtual void release(Document& document, const ToolView& view) = 0;
+  /// False for commands that mean nothing to the tool at the moment.
+  virtual bool take(Document&, ToolCommand) { return false; }
   /// Whether the tool has done its work and gives way to the default one.
   virtual bool finished() const { return false; }
-  /// Marks over the picture.
-  virtual void draw(const Document& document, const ViewTransform& transform,
-                    ImDrawList& list) const = 0;
+  /// Marks over the view.
+  virtual void draw(const Document& document, const ToolView& view, ImDrawList& list) const = 0;
 };
 
 }  // namespace guidelight

@@ -10,10 +10,6 @@ namespace {
 constexpr uint64_t kEmissionStream = 0x70686f746f6eull;
 constexpr size_t kPathsPerTask = 1024;
 
-void append(std::vector<SurfacePhoton>& to, const std::vector<SurfacePhoton>& from) {
-  to.insert(to.end(), from.begin(), from.end());
-}
-
 }  // namespace
 
 EmissionStage::EmissionStage(const PhotonMappingPass& setup)
@@ -21,21 +17,15 @@ EmissionStage::EmissionStage(const PhotonMappingPass& setup)
       walk_(setup.scene, TransportMode::Importance, unused_weights_),
       batch_(setup.scene, 1, setup.guided) {}
 
-EmissionStage::Photons EmissionStage::trace_all(const PhotonMappingPass& setup,
-                                                Parallel& parallel) {
+PassPhotons EmissionStage::trace_all(const PhotonMappingPass& setup, Parallel& parallel) {
   const auto count = static_cast<size_t>(setup.settings.light_paths);
-  std::vector<Photons> parts((count + kPathsPerTask - 1) / kPathsPerTask);
+  std::vector<PassPhotons> parts((count + kPathsPerTask - 1) / kPathsPerTask);
   parallel.for_each(parts.size(), [&](size_t task) {
     EmissionStage stage(setup);
     stage.trace(task * kPathsPerTask, std::min(count, (task + 1) * kPathsPerTask));
     parts[task] = std::move(stage.photons_);
   });
-  Photons all;
-  for (const Photons& part : parts) {
-    append(all.global, part.global);
-    append(all.caustic, part.caustic);
-  }
-  return all;
+  return join(parts);
 }
 
 void EmissionStage::trace(size_t first, size_t last) {

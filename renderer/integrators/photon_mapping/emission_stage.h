@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "renderer/integrators/photon_mapping/settings.h"
+#include "renderer/integrators/photon_mapping/second_pass.h"
 #include "renderer/transport/light_path_batch.h"
 #include "renderer/transport/random_walk.h"
 
@@ -11,15 +11,10 @@ namespace guidelight {
 /// The first of the two passes: traces light paths and keeps their vertices as photons.
 class EmissionStage {
  public:
-  struct Photons {
-    std::vector<SurfacePhoton> global;   // L (S|D)* D
-    std::vector<SurfacePhoton> caustic;  // L S+ D
-  };
-
   explicit EmissionStage(const PhotonMappingPass& setup);
 
   /// Photons of all light paths of the pass, in order.
-  static Photons trace_all(const PhotonMappingPass& setup, Parallel& parallel);
+  static PassPhotons trace_all(const PhotonMappingPass& setup, Parallel& parallel);
 
   /// Traces paths [first, last).
   void trace(size_t first, size_t last);
@@ -33,7 +28,7 @@ class EmissionStage {
   const PhotonMappingPass& setup_;
   MisWeights unused_weights_{TechniqueCounts{}};
   RandomWalk walk_;
-  Photons photons_;
+  PassPhotons photons_;
   LightPathBatch batch_;
   std::vector<uint8_t> is_sharp_;  // whether each path has scattered sharply alone
 };

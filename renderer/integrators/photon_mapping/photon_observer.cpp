@@ -1,0 +1,88 @@
+#include "renderer/integrators/photon_mapping/photon_observer.h"
+
+#include <algorithm>
+
+namespace guidelight {
+
+namespace {
+
+bool is_sharp(const Path& path, int i, const SharpScattering& sharp) {
+  if (!path.is_finite(i)) return true;
+  const PathPoint& x = path.points[i];
+  return (x.point.bsdf->lobes() & kLobeGlossy) &&
+         sharp.is_above(std::max(x.pdf_to_eye, x.pdf_to_light) * survival_probability(x.point));
+}
+
+}  // namespace
+
+std::optional<PhotonSite> photon_site(const Path& path, const SharpScattering& sharp) {
+  int first = 0;  // diffuse event, counted from the eye
+  for (int i = path.length() - 1; i >= 1; --i) {
+    if (is_sharp(path, i, sharp)) continue;
+    if (first > 0) return PhotonSite{i, false};
+    first = i;
+  }
+  // All before it is sharp.
+  return first > 1 ? std::optional(PhotonSite{first, true}) : std::nullopt;
+}
+
+PathVertex PhotonObserver::vertex_at(const Path& path, int i) {
+  PathVertex vertex{};
+  vertex.point = path.points[i].point;
+  vertex.wo = -path.points[i - 1].direction;
+  vertex.length = i;
+  vertex.survival = survival_probability(vertex.point);
+  return vertex;
+}
+
+void PhotonObserver::operator()(const Path& path, double weight) {
+  const auto site = photon_site(path, setup_.global.sharp);
+  if (!site) return;
+  const PathVertex vertex = vertex_at(path, site->vertex);
+  const uint64_t key = hash_position(vertex.point.position) ^ (site->caustic ? 1 : 0);
+  const auto [place, is_new] = places_.try_emplace(key, static_cast<uint32_t>(deposits_.size()));
+  if (is_new) {
+    const Color power = state_power(path, *site, vertex);
+    deposits_.push_back({vertex, site->caustic, power * static_cast<float>(weight), power});
+    return;
+  }
+  Deposit& deposit = deposits_[place->second];
+  const bool arrives_alike =
+      deposit.vertex.wo == vertex.wo && deposit.vertex.length == vertex.length;
+  const Color power = arrives_alike ? deposit.power_per_weight : state_power(path, *site, vertex);
+  const Color added = power * static_cast<float>(weight);
+  deposit.power += added;
+  if (!arrives_alike && rng_.next_float() * luminance(deposit.power) < luminance(added)) {
+    deposit.vertex = vertex;
+    deposit.power_per_weight = power;
+  }
+}
+
+Color PhotonObserver::state_power(const Path& path, const PhotonSite& site,
+                                  const PathVertex& vertex) const {
+  glm::dvec3 f(1.0);  // f_map: what arrives
+  for (int i = 0; i < site.vertex; ++i) {
+    const PathPoint& x = path.points[i];
+    f *= glm::dvec3(x.value * x.transmittance) * double{x.arrival_eye};
+  }
+  // Only ratios of f matter: brought into the range of single precision first.
+  const Color color(f / std::max({f.r, f.g, f.b}));
+  const Scattering scattering(vertex.point, vertex.wo, TransportMode::Importance);
+  const Color importance = site.caustic ? importance_.of_caustic(vertex, scattering)
+                                        : importance_.of_global(vertex, scattering);
+  const float seen = luminance(color * importance);
+  return seen > 0 ? color * static_cast<float>(scale_ / seen) : Color(0);
+}
+
+PassPhotons PhotonObserver::photons() const {
+  PassPhotons photons;
+  for (const Deposit& deposit : deposits_) {
+    auto& map = deposit.caustic ? photons.caustic : photons.global;
+    if (!is_black(deposit.power)) {
+      map.push_back(make_surface_photon(deposit.vertex, deposit.power, deposit.caustic));
+    }
+  }
+  return photons;
+}
+
+}  // namespace guidelight

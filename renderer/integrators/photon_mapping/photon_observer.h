@@ -1,0 +1,59 @@
+#pragma once
+
+#include <unordered_map>
+
+#include "renderer/integrators/photon_mapping/importance.h"
+#include "renderer/integrators/photon_mapping/second_pass.h"
+#include "renderer/transport/path.h"
+
+namespace guidelight {
+
+/// Where a complete path leaves its photon (Fan et al. 2005, section 4.2).
+struct PhotonSite {
+  int vertex;    // index on the path
+  bool caustic;  // for the caustic map
+};
+
+/// Global photons at the second diffuse event counted from the eye, sharp ones between allowed; a
+/// caustic photon at the first of L S⁺ D S* E; none for other paths.
+std::optional<PhotonSite> photon_site(const Path& path, const SharpScattering& sharp);
+
+/// Turns the states of a chain, whose target is the luminance of complete paths, into photons.
+/// Their power divides by the *marginal* density of the light's side,
+///   Φ = B/N · f_map / Y(f_map ⊙ I),
+/// and not by that of the complete path, which is the density of more than the photon is: see
+/// docs/metropolis.md. States that keep the place add up to one photon: photons in one point would
+/// be an endless density to an estimate from the nearest.
+class PhotonObserver {
+ public:
+  /// `scale` is B/N.
+  PhotonObserver(const PhotonMappingPass& setup, const ImportanceMaps& importance, double scale,
+                 Rng rng)
+      : setup_(setup), importance_(importance), scale_(scale), rng_(rng) {}
+
+  void operator()(const Path& path, double weight);
+  PassPhotons photons() const;
+
+ private:
+  /// One place, and what all states with their photon there have left. Of their directions it keeps
+  /// one, drawn in proportion to power.
+  struct Deposit {
+    PathVertex vertex;
+    bool caustic;
+    Color power{0};             // sum over states
+    Color power_per_weight{0};  // of states that arrive as `vertex` says
+  };
+
+  /// Power of a state of weight 1; black where importance is not known.
+  Color state_power(const Path& path, const PhotonSite& site, const PathVertex& vertex) const;
+  static PathVertex vertex_at(const Path& path, int i);
+
+  const PhotonMappingPass& setup_;
+  const ImportanceMaps& importance_;
+  double scale_;
+  Rng rng_;
+  std::vector<Deposit> deposits_;
+  std::unordered_map<uint64_t, uint32_t> places_;  // hash of a place to its deposit
+};
+
+}  // namespace guidelight

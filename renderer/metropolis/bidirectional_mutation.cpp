@@ -1,0 +1,172 @@
+#include "renderer/metropolis/bidirectional_mutation.h"
+
+#include <cmath>
+
+#include "renderer/metropolis/bidirectional_sampler.h"
+
+namespace guidelight {
+
+namespace {
+
+using Gap = BidirectionalSampler::Gap;
+
+/// How the gaps that may be cut into paths of a number of vertices are chosen, and how many
+/// vertices fill them.
+class GapTable {
+ public:
+  GapTable(int size, const PathLengths& lengths);
+
+  Gap sample(Rng& rng) const;
+  /// Probability of a gap between so many kept vertices that is filled to a path of `new_size`.
+  float probability(int from_light, int from_eye, int new_size) const;
+
+ private:
+  struct Cut {
+    int from_light;
+    int from_eye;
+    int min_size;                // of the new path
+    DiscreteDistribution sizes;  // of the new path, from min_size on
+  };
+
+  int size_;
+  std::vector<Cut> cuts_;
+  std::vector<int> index_;  // of a cut by (from_light, from_eye), -1 if there is none
+  DiscreteDistribution distribution_;
+};
+
+/// Veach prefers short gaps: of one or two segments, then each half as often as the one before.
+float gap_weight(int segments) {
+  return segments == 1   ? 0.25f
+         : segments == 2 ? 0.5f
+                         : std::pow(0.5f, static_cast<float>(segments));
+}
+
+/// … and lengths that stay.
+float growth_weight(int growth) {
+  return growth == 0 ? 0.5f : 0.3f * std::pow(0.5f, static_cast<float>(std::abs(growth)));
+}
+
+GapTable::GapTable(int size, const PathLengths& lengths)
+    : size_(size), index_((size + 1) * (size + 1), -1) {
+  // All of a path, often enough that a chain never stays away from a part of the picture for long.
+  constexpr float kWholePath = 0.1f;
+  std::vector<float> weights;
+  // The lens is not kept from the light's side, nor the light from the eye's.
+  for (int from_light = 0; from_light < size; ++from_light) {
+    for (int from_eye = 0; from_eye < size && from_light + from_eye <= size; ++from_eye) {
+      const int removed = size - from_light - from_eye;
+      if (from_light == 1 || from_eye == 1) continue;
+      Cut cut{from_light, from_eye, 0, {}};
+      std::vector<float> size_weights;
+      for (int new_size = lengths.min + 1; new_size <= lengths.max + 1; ++new_size) {
+        const Gap gap{from_light, new_size - from_light - from_eye, from_eye};
+        const bool changes = removed + gap.inserted > 0;
+        if (!gap.is_possible() || gap.inserted < 0 || !changes) continue;
+        if (size_weights.empty()) cut.min_size = new_size;
+        size_weights.push_back(growth_weight(new_size - size));
+      }
+      if (size_weights.empty()) continue;
+      cut.sizes = DiscreteDistribution(size_weights);
+      index_[from_light * (size + 1) + from_eye] = static_cast<int>(cuts_.size());
+      cuts_.push_back(std::move(cut));
+      // Where one gap length has several places, they share its weight.
+      weights.push_back(removed == size
+                            ? kWholePath
+                            : gap_weight(removed + 1) / static_cast<float>(size - removed + 1));
+    }
+  }
+  distribution_ = DiscreteDistribution(weights);
+}
+
+Gap GapTable::sample(Rng& rng) const {
+  const Cut& cut = cuts_[distribution_.sample(rng.next_float()).index];
+  const int new_size = cut.min_size + static_cast<int>(cut.sizes.sample(rng.next_float()).index);
+  return {cut.from_light, new_size - cut.from_light - cut.from_eye, cut.from_eye};
+}
+
+float GapTable::probability(int from_light, int from_eye, int new_size) const {
+  if (from_light + from_eye > size_) return 0;
+  const int i = index_[from_light * (size_ + 1) + from_eye];
+  if (i < 0) return 0;
+  const Cut& cut = cuts_[i];
+  const int which = new_size - cut.min_size;
+  if (which < 0 || which >= static_cast<int>(cut.sizes.size())) return 0;
+  return distribution_.pmf(i) * cut.sizes.pmf(which);
+}
+
+class BidirectionalMutation : public Mutation {
+ public:
+  BidirectionalMutation(const Scene& scene, const PathLengths& lengths)
+      : sampler_(scene), min_size_(lengths.min + 1) {
+    for (int length = lengths.min; length <= lengths.max; ++length) {
+      tables_.emplace_back(length + 1, lengths);
+    }
+  }
+
+  std::string name() const override { return "bidirectional"; }
+  bool is_suitable(const Path&) const override { return true; }
+
+  bool propose(const Path& x, Path& y, Rng& rng) const override {
+    const Gap gap = table(x).sample(rng);
+    y.splice(x, gap.from_light, gap.inserted, gap.from_eye);
+    return sampler_.fill(gap, y, rng);
+  }
+
+  /// Over all gaps that y could have filled: those around what the paths do not share.
+  double density(const Path& x, const Path& y) const override {
+    const int from_light = shared_from_light(x, y);
+    const int from_eye = shared_from_eye(x, y);
+    double sum = 0;
+    for (int i = 0; i <= from_light; ++i) {
+      for (int j = 0; j <= from_eye; ++j) {
+        const Gap gap{i, y.size() - i - j, j};
+        const float probability = table(x).probability(i, j, y.size());
+        if (probability > 0 && gap.is_possible()) sum += probability * sampler_.density(gap, y);
+      }
+    }
+    return sum;
+  }
+
+ private:
+  const GapTable& table(const Path& x) const { return tables_[x.size() - min_size_]; }
+
+  BidirectionalSampler sampler_;
+  int min_size_;
+  std::vector<GapTable> tables_;  // by the number of vertices
+};
+
+class GuidedMutation final : public BidirectionalMutation {
+ public:
+  GuidedMutation(const Scene& scene, const PathLengths& lengths,
+                 std::shared_ptr<const GuideMixture> guides, float guided)
+      : BidirectionalMutation(scene, lengths),
+        proposal_(scene, std::move(guides)),
+        lengths_(lengths),
+        guided_(guided) {}
+
+  bool propose(const Path& x, Path& y, Rng& rng) const override {
+    if (rng.next_float() >= guided_) return BidirectionalMutation::propose(x, y, rng);
+    return proposal_.propose(x, lengths_.max, y, rng) && lengths_.contains(y.length());
+  }
+
+  double density(const Path& x, const Path& y) const override {
+    return guided_ * proposal_.density(x, y) + (1 - guided_) * BidirectionalMutation::density(x, y);
+  }
+
+ private:
+  GuideProposal proposal_;
+  PathLengths lengths_;
+  float guided_;
+};
+
+}  // namespace
+
+std::unique_ptr<Mutation> make_bidirectional_mutation(const Scene& scene,
+                                                      const PathLengths& lengths,
+                                                      std::shared_ptr<const GuideMixture> guides,
+                                                      float guided) {
+  if (!guides || guided == 0) return std::make_unique<BidirectionalMutation>(scene, lengths);
+  return std::make_unique<GuidedMutation>(scene, lengths, std::move(guides), guided);
+}
+
+}  // namespace guidelight

@@ -1,0 +1,136 @@
+// Detailed balance: a chain that starts with a path drawn from its target stays in it. Chains of
+// each mutation alone, with the ergodic one, and of all together show the means of the picture's
+// blocks that the path tracer shows.
+
+#include "renderer/metropolis/markov_chain.h"
+
+#include <gtest/gtest.h>
+
+#include "renderer/metropolis/bidirectional_mutation.h"
+#include "renderer/metropolis/bidirectional_sampler.h"
+#include "renderer/metropolis/caustic_perturbation.h"
+#include "renderer/metropolis/eye_perturbations.h"
+#include "renderer/metropolis/lens_subpath_mutation.h"
+#include "tests/renderer/comparison_scenes.h"
+#include "tests/renderer/test_scenes.h"
+#include "tests/statistics/hypothesis_tests.h"
+
+namespace guidelight {
+namespace {
+
+using statistics::Moments;
+
+constexpr double kFalseAlarms = 1e-3;
+constexpr int kSide = testing::kComparisonSide;
+constexpr int kBlocks = 2;  // in each direction
+constexpr PathLengths kLengths{1, 6};
+
+using Blocks = std::array<double, kBlocks * kBlocks + 1>;  // the last is the whole picture
+
+Blocks block_means(const Image& picture) {
+  Blocks means{};
+  for (int y = 0; y < kSide; ++y) {
+    for (int x = 0; x < kSide; ++x) {
+      const double value = luminance(picture.color(x, y)) / (kSide * kSide);
+      means[y * kBlocks / kSide * kBlocks + x * kBlocks / kSide] += value;
+      means.back() += value;
+    }
+  }
+  return means;
+}
+
+enum Which {
+  kBidirectional = 1,
+  kLens = 2,
+  kMultiChain = 4,
+  kCaustic = 8,
+  kSubpath = 16,
+  kMap = 32
+};
+
+MutationSet make_set(const Scene& scene, int which, float bidirectional) {
+  MutationSet set;
+  set.add(make_bidirectional_mutation(scene, kLengths), bidirectional);
+  const auto add = [&](Which bit, std::unique_ptr<Mutation> mutation) {
+    if (which & bit) set.add(std::move(mutation), 1);
+  };
+  add(kLens, make_lens_perturbation(scene));
+  add(kMultiChain, make_multi_chain_perturbation(scene));
+  add(kCaustic, make_caustic_perturbation(scene));
+  add(kSubpath, make_lens_subpath_mutation(scene, kLengths));
+  add(kMap, make_photon_map_perturbation(scene, kPi / 6));
+  return set;
+}
+
+/// Means of the blocks by one run: chains from paths that are drawn by what they carry.
+Blocks run_chains(const Scene& scene, const MutationSet& set, uint64_t seed, int chains,
+                  int steps) {
+  constexpr int kSeeds = 40000;
+  const PathSampler sampler(scene, kLengths);
+  std::vector<float> weights(kSeeds);
+  double total = 0;
+  Path path;
+  for (int i = 0; i < kSeeds; ++i) {
+    Rng rng(seed, 0, i);
+    const double pdf = sampler.sample(path, rng);
+    total += weights[i] = pdf > 0 ? static_cast<float>(path.target() / pdf) : 0.0f;
+  }
+  const DiscreteDistribution start(weights);
+  Blocks sums{};
+  for (int c = 0; c < chains; ++c) {
+    const uint32_t chosen = start.sample((c + Rng(seed, 1, c).next_float()) / chains).index;
+    Rng rng(seed, 0, chosen);
+    sampler.sample(path, rng);
+    MarkovChain chain(set, path, Rng(seed, 2, c));
+    chain.run(steps, [&](const Path& x, double weight) {
+      const auto column = static_cast<int>(x.raster.x * kBlocks / kSide);
+      const auto row = static_cast<int>(x.raster.y * kBlocks / kSide);
+      sums[row * kBlocks + column] += weight;
+      sums.back() += weight;
+    });
+  }
+  for (double& sum : sums) sum *= total / kSeeds / chains / steps;
+  return sums;
+}
+
+struct Case {
+  std::string name;
+  int which;
+};
+
+class Chains : public ::testing::TestWithParam<std::tuple<testing::ComparisonScene, Case>> {};
+
+TEST_P(Chains, ShowThePicture) {
+  const auto& [comparison, mutations] = GetParam();
+  const auto scene = testing::build(comparison.make());
+  std::array<Moments, Blocks{}.size()> expected, found;
+  for (uint64_t seed = 1; seed <= 8; ++seed) {
+    const Blocks means = block_means(testing::render(scene, 8, 2, seed).develop(Layer::Beauty));
+    for (size_t i = 0; i < means.size(); ++i) expected[i].add(means[i]);
+  }
+  const MutationSet set = make_set(*scene, mutations.which, 0.3f);
+  for (uint64_t seed = 1; seed <= 12; ++seed) {
+    const Blocks means = run_chains(*scene, set, seed, 40, 1000);
+    for (size_t i = 0; i < means.size(); ++i) found[i].add(means[i]);
+  }
+  const double level = statistics::sidak_level(kFalseAlarms, 7 * 10 * expected.size());
+  for (size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_GT(statistics::welch_test(found[i], expected[i]), level)
+        << "block " << i << ": " << found[i].mean() << " +- " << found[i].standard_error()
+        << " against " << expected[i].mean() << " +- " << expected[i].standard_error();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, Chains,
+    ::testing::Combine(::testing::ValuesIn(testing::comparison_scenes()),
+                       ::testing::Values(Case{"bidirectional", kBidirectional}, Case{"lens", kLens},
+                                         Case{"multi_chain", kMultiChain},
+                                         Case{"caustic", kCaustic}, Case{"lens_subpath", kSubpath},
+                                         Case{"photon_map", kMap}, Case{"all", 63})),
+    [](const auto& test) {
+      return std::get<0>(test.param).name + "_" + std::get<1>(test.param).name;
+    });
+
+}  // namespace
+}  // namespace guidelight

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "ui/gl/gl_program.h"
+#include "ui/scout/display_mesh.h"
+
+namespace guidelight {
+
+enum class MeshStyle { Shaded, Wireframe, SeeThrough, DepthOnly };
+
+/// Draws the triangles of a scene. Needs the window's context while it lives.
+class MeshRaster {
+ public:
+  /// Throws Error if the driver refuses the shaders.
+  MeshRaster();
+  ~MeshRaster();
+  MeshRaster(const MeshRaster&) = delete;
+  MeshRaster& operator=(const MeshRaster&) = delete;
+
+  void upload(const DisplayMesh& mesh);
+  bool empty() const { return vertex_count_ == 0; }
+
+  struct Look {
+    MeshStyle style = MeshStyle::Shaded;
+    Vec3 eye{0};  // lit from here
+    /// Points with dot(plane, (p, 1)) < 0 are cut away.
+    Vec4 clip_plane{0, 0, 0, 1};
+  };
+  /// Into the current target.
+  void draw(const Mat4& clip_from_world, const Look& look) const;
+
+ private:
+  GlProgram program_;
+  unsigned array_ = 0;
+  unsigned buffer_ = 0;
+  int vertex_count_ = 0;
+};
+
+}  // namespace guidelight
