@@ -129,7 +129,10 @@ void set_cones(GuidePath& guide, const std::vector<float>& degrees) {
 void TraceCommand::run() const {
   const auto scene = Scene::build(scene_arguments.read());
   const auto traced = trace(*scene);
-  if (!traced) throw Error("the path meets no surface that scatters: give another direction");
+  if (!traced)
+    throw Error(
+        "no light shines from there, or its path meets no surface that scatters: give a point on a "
+        "light and another direction");
   GuidePath result = guide;
   result.vertices = traced->vertices;
   set_cones(result, cones);

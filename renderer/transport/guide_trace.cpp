@@ -71,10 +71,10 @@ std::optional<GuidePath> trace_segments(const Scene& scene, Vec3 start, Vec3 dir
                                         NextDirection next_direction) {
   GuidePath guide;
   const auto origin = find_light(scene, start, direction);
-  const bool has_surface = origin && origin->point.light;
-  guide.vertices.push_back({origin ? origin->point.position : start});
-  Ray ray = has_surface ? origin->point.spawn_ray(direction)
-                        : Ray{guide.vertices[0].position, direction, kInfinity};
+  if (!origin) return std::nullopt;
+  guide.vertices.push_back({origin->point.position});
+  Ray ray = origin->point.light ? origin->point.spawn_ray(direction)
+                                : Ray{origin->point.position, direction, kInfinity};
   for (size_t i = 0; i < count;) {
     const auto segment = trace_guide_segment(scene, ray, choice);
     if (!segment) break;

@@ -56,7 +56,7 @@ def downlight(x, z, height):
     """A recessed lamp under the ceiling: its metal ring, and the disc that shines."""
     profile = [(0.07, 0.0), (0.07, -0.012)] + arc((0.078, -0.012), 0.008, 180, 360, 4) + [(0.095, 0)]
     ring = lathe(profile, 24)
-    disc = lathe([(0.07, -0.002), (0, -0.002)], 24)
+    disc = lathe([(0, -0.002), (0.07, -0.002)], 24)
     parts = f.Parts()
     parts.add("chrome", ring, (x, height, z))
     parts.add("downlights", disc, (x, height, z))

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "renderer/io/guide_file.h"
 #include "renderer/io/scene_file.h"
+#include "renderer/transport/guide_check.h"
 #include "tests/renderer/test_scenes.h"
 
 namespace guidelight {
@@ -62,6 +64,49 @@ INSTANTIATE_TEST_SUITE_P(All, OwnScene, ::testing::ValuesIn(own_scenes()), [](co
       name.begin(), name.end(), [](char c) { return !std::isalnum(c); }, '_');
   return name;
 });
+
+TEST_P(OwnScene, has_guides_that_fit) {
+  const std::string file =
+      guide_file_beside(GUIDELIGHT_SOURCE_DIR "/scenes/" + GetParam() + "/scene.xml");
+  if (!fs::exists(file)) return;
+  const auto scene = testing::build(read_own(GetParam()));
+  for (const GuidePath& guide : read_guides(file)) {
+    EXPECT_TRUE(guide.enabled) << guide.name;
+    for (const GuideFault& fault : check_guide(*scene, guide)) {
+      ADD_FAILURE() << guide.name << ", vertex " << fault.vertex << ": " << fault.message;
+    }
+  }
+}
+
+TEST(OwnScenes, guides_go_where_they_are_needed) {
+  const auto guides_of = [](const std::string& name) {
+    return read_guides(GUIDELIGHT_SOURCE_DIR "/scenes/" + name + "/scene.guides.json");
+  };
+  const auto rooms = guides_of("rooms");
+  EXPECT_EQ(rooms.size(), 10u);
+  for (const GuidePath& guide : rooms) {
+    EXPECT_LT(guide.vertices.front().position.z, -2.05f) << guide.name << " starts in the far room";
+    EXPECT_GT(guide.vertices.back().position.z, -2) << guide.name << " ends in the near one";
+  }
+  const auto box = guides_of("box");
+  EXPECT_EQ(box.size(), 10u);
+  for (const GuidePath& guide : box) {
+    const bool by_the_mirror = guide.vertices[1].event == PathEvent::Reflect;
+    const Vec3 caustic(by_the_mirror ? -0.09f : 0.44f, 0, 0.52f);
+    EXPECT_LT(glm::distance(guide.vertices.back().position, caustic), 0.12f) << guide.name;
+    EXPECT_NEAR(guide.vertices[0].cone, glm::radians(by_the_mirror ? 1.0f : 5.0f), 1e-6f);
+  }
+  EXPECT_EQ(
+      std::ranges::count_if(box, [](const GuidePath& guide) { return guide.vertices.size() == 5; }),
+      5);
+  for (const GuidePath& guide : guides_of("keyhole")) {
+    EXPECT_GT(guide.vertices.back().position.x, -1.4f) << guide.name << " ends in the room";
+  }
+  for (const GuidePath& guide : guides_of("lantern")) {
+    EXPECT_GT(glm::distance(guide.vertices.back().position, Vec3(0, 0.85f, 0)), 0.5f)
+        << guide.name << " leaves the lantern";
+  }
+}
 
 TEST(OwnScenes, furnace_hides_its_spheres) {
   // Nothing absorbs, so L = 1 everywhere. The noise of a block's mean is below 0.5 % (measured).

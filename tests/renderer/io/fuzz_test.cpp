@@ -7,9 +7,12 @@
 #include <random>
 
 #include "renderer/error.h"
+#include "renderer/io/guide_file.h"
 #include "renderer/io/image_file.h"
+#include "renderer/transport/guide_check.h"
 #include "tests/renderer/io/io_test_files.h"
 #include "tests/renderer/io/sample_files.h"
+#include "tests/renderer/transport/guide_scenes.h"
 
 /// Damaged files must end in a scene or in one Error: no crash, no hang, no gigabyte. Each is read
 /// in a process of its own with limits on memory and time.
@@ -143,7 +146,16 @@ std::string sample_include() {
 std::string sample_ply_little() { return sample_ply_binary(false); }
 std::string sample_serialized_4() { return sample_serialized(4); }
 
-class Fuzz : public testing::TestWithParam<FuzzCase> {};
+/// Guides through a glass ball, and one that is switched off.
+std::string sample_guides() {
+  const guide_test::LitScene& lit = guide_test::lit_scenes()[0];
+  auto guides = guide_test::guides_for(*lit.build(), lit);
+  guides[0].name = "to the floor";
+  guides[3].enabled = false;
+  return guides_text(guides);
+}
+
+class Fuzz : public ::testing::TestWithParam<FuzzCase> {};
 
 TEST_P(Fuzz, DamagedFilesEndInASceneOrAnError) {
   const FuzzCase& c = GetParam();
@@ -178,9 +190,32 @@ TEST_P(Fuzz, DamagedFilesEndInASceneOrAnError) {
   }
 }
 
+TEST(GuideFuzz, DamagedGuidesEndInGuidesOrAnError) {
+  constexpr int kMutations = 300;
+  const auto scene = guide_test::lit_scenes()[0].build();
+  const std::string original = sample_guides();
+  std::mt19937 random(20260102);
+  int read_whole = 0;
+  for (int i = 0; i < kMutations; ++i) {
+    std::string damaged = mutate(original, random);
+    if (i % 3 == 2 && !damaged.empty()) damaged = mutate(damaged, random);
+    const int result = run_limited([&] {
+      // What can be read must be judged without harm, too.
+      for (const GuidePath& guide : parse_guides(damaged, "damaged")) check_guide(*scene, guide);
+    });
+    EXPECT_EQ(result, kGood) << "mutation " << i;
+    try {
+      parse_guides(damaged, "damaged");
+      ++read_whole;
+    } catch (const Error&) {
+    }
+  }
+  EXPECT_GT(read_whole, 10) << "all are refused: what is behind the reader is not tried";
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Formats, Fuzz,
-    testing::Values(FuzzCase{"xml", sample_scene, "scene.xml", "scene.xml"},
+    ::testing::Values(FuzzCase{"xml", sample_scene, "scene.xml", "scene.xml"},
                     FuzzCase{"include", sample_include, "included.xml", "scene.xml"},
                     FuzzCase{"obj", sample_obj, "mesh.obj", "scene.xml"},
                     FuzzCase{"ply_text", sample_ply_text, "mesh.ply", "scene.xml"},
