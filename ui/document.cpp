@@ -210,6 +210,7 @@ void Document::set_paused(bool paused) {
 void Document::update(Clock::time_point now) {
   messages_.expire(now);
   update_candidates();
+  watch_pixel();
   status_ = session_.snapshot();
   const bool of_this_scene = !jobs_.empty() && status_->job >= jobs_.front().number;
   if (of_this_scene && status_->has_picture()) picture_ = status_;
@@ -236,6 +237,10 @@ void Document::start(Clock::time_point now) {
   job.targets = settings_.targets;
   job.region = settings_.region;
   job.guides = followed_guides();
+  history_ = std::make_shared<PixelHistory>();
+  watched_pixel_.reset();
+  watch_pixel();
+  job.history = history_;
   job.coarse_first = true;
   if (resume_) {
     const auto [checkpoint, path] = *std::exchange(resume_, std::nullopt);
@@ -311,6 +316,20 @@ GuideList Document::followed_guides() const {
 void Document::set_photon_view(const PhotonView& view) {
   photon_view_ = view;
   session_.request_photons(view.shown ? static_cast<size_t>(view.cap) : 0);
+}
+
+void Document::watch_pixel() {
+  const auto& pixel = view_.inspected_pixel;
+  if (pixel == watched_pixel_) return;
+  watched_pixel_ = pixel;
+  std::vector<PixelHistory::Pixel> watched;
+  if (pixel) watched.push_back({pixel->x, pixel->y});
+  history_->watch(watched);
+}
+
+std::vector<PixelHistory::Entry> Document::pixel_history() const {
+  if (!watched_pixel_) return {};
+  return history_->of({watched_pixel_->x, watched_pixel_->y});
 }
 
 // -- Undo.

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "renderer/image/tonemap.h"
+#include "renderer/integrators/pixel_history.h"
 #include "renderer/scene/scene.h"
 #include "renderer/session/checkpoints.h"
 #include "renderer/session/render_session.h"
@@ -160,6 +161,10 @@ class Document {
   /// Photons cost nothing while they are not shown.
   void set_photon_view(const PhotonView& view);
 
+  /// How the density estimates of the inspected pixel have developed; empty without one, and for
+  /// methods without.
+  std::vector<PixelHistory::Entry> pixel_history() const;
+
   // -- Undo, of guides and render settings.
   void undo();
   void redo();
@@ -188,6 +193,7 @@ class Document {
   void take_guides();
   void follow_guides();
   void update_candidates();
+  void watch_pixel();
   GuideList followed_guides() const;
 
   struct Edits {
@@ -203,6 +209,8 @@ class Document {
   std::vector<std::vector<GuideFault>> faults_;
   GuideView guide_view_;
   PhotonView photon_view_;
+  std::shared_ptr<PixelHistory> history_ = std::make_shared<PixelHistory>();  // of this job
+  std::optional<glm::ivec2> watched_pixel_;                                   // in history_
   struct {
     std::optional<size_t> of;  // guide
     GuideCandidates drawn;

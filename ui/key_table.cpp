@@ -52,6 +52,8 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>({
     {Action::NextLayer, GLFW_KEY_RIGHT_BRACKET, 0, "Image", "Next layer"},
     {Action::ClipWarning, GLFW_KEY_C, 0, "Image", "Mark clipped pixels"},
     {Action::Inspector, GLFW_KEY_I, 0, "Image", "Inspect pixels"},
+    {Action::LoadReference, GLFW_KEY_L, kControl, "Image", "Load a reference…"},
+    {Action::PinPicture, GLFW_KEY_B, 0, "Image", "Pin the picture to compare with"},
     {Action::ZoomFit, GLFW_KEY_0, 0, "Image", "Fit to the window"},
     {Action::ZoomActual, GLFW_KEY_1, 0, "Image", "Actual pixels"},
 

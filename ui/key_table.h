@@ -42,6 +42,8 @@ enum class Action {
   NextLayer,
   ClipWarning,
   Inspector,
+  LoadReference,
+  PinPicture,
   ZoomFit,
   ZoomActual,
   KeySheet,

@@ -27,6 +27,7 @@ class ViewMouse {
   /// To be called once per frame; `hovered`: the mouse is over the view and nothing covers it.
   void update(Document& document, Toolbox& toolbox, const ToolView& view,
               const NavigationTarget& target, bool hovered);
+  bool active() const { return gesture_.has_value(); }
   bool flying() const { return gesture_ == Gesture::Fly; }
 
  private:

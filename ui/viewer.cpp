@@ -8,8 +8,10 @@
 
 #include "renderer/error.h"
 #include "ui/checkpoint_saver.h"
+#include "ui/compare/comparison.h"
 #include "ui/document.h"
 #include "ui/export.h"
+#include "ui/first_hint.h"
 #include "ui/guides/guide_saver.h"
 #include "ui/guides/new_guide.h"
 #include "ui/key_table.h"
@@ -75,7 +77,8 @@ class Viewer {
   PictureDeveloper developer_;
   Toolbox toolbox_;
   DisplayScene display_{*queue_};
-  RenderView view_{window_, display_};
+  Comparison comparison_{document_, *queue_};
+  RenderView view_{window_, display_, comparison_};
   ScoutView scout_{window_, display_};
   Exporter exporter_;
   CheckpointSaver checkpoints_;
@@ -83,6 +86,7 @@ class Viewer {
   Opener opener_;
   std::function<void(double seconds)> on_frame_;
   RecentFiles recent_;
+  FirstHint first_hint_{std::filesystem::path(RecentFiles::default_path()).parent_path().string()};
   FileDialog file_dialog_;
   Layout layout_;
   ViewLayout views_;
@@ -136,6 +140,7 @@ void Viewer::run() {
     checkpoints_.update(frame_began);
     guide_saver_.update(frame_began);
     display_.update(document_);
+    comparison_.update(frame_began);
     if (document_.picture()) {
       developer_.request(document_.picture(), document_.view().layer, document_.view().current());
     }
@@ -200,6 +205,9 @@ void Viewer::draw_views() {
   if (views_.shows_render()) {
     begin_area("view", views_.render(), Padding::None, palette::kBackdrop);
     view_.draw(document_, toolbox_);
+    if (document_.has_scene() && document_.guides()->empty()) {
+      first_hint_.draw(*ImGui::GetWindowDrawList(), from_imgui(views_.render().corner));
+    }
     ImGui::End();
   }
   if (views_.shows_scout()) {
@@ -235,6 +243,10 @@ void Viewer::draw_panels() {
     }
     if (tabs_.tab(Tabs::Photons)) {
       draw_photons_panel(document_, display_.powers());
+      ImGui::EndTabItem();
+    }
+    if (tabs_.tab(Tabs::Compare)) {
+      draw_compare_panel(document_, comparison_, act);
       ImGui::EndTabItem();
     }
     ImGui::EndTabBar();
@@ -332,6 +344,7 @@ void Viewer::perform(Action action) {
       document_.redo();
       break;
     case Action::NewGuide:
+      first_hint_.dismiss();
       if (toolbox_.holds<GuideTool>()) {
         toolbox_.use_default();
       } else {
@@ -400,6 +413,19 @@ void Viewer::perform(Action action) {
       inspector_shown_ = !inspector_shown_ || tabs_.shown() != Tabs::Image;
       tabs_.show(Tabs::Image);
       break;
+    case Action::LoadReference:
+      choose_file(
+          load_reference_request(),
+          [this](const std::string& path) {
+            comparison_.load_reference(path);
+            tabs_.show(Tabs::Compare);
+          },
+          current_folder());
+      break;
+    case Action::PinPicture:
+      comparison_.pin();
+      tabs_.show(Tabs::Compare);
+      break;
     case Action::ZoomFit:
       view_.transform().fit();
       break;
@@ -426,6 +452,7 @@ void Viewer::show_new_scene() {
   view_.transform().fit();
   display_.show(document_.opened().scene);
   scout_.show(document_);
+  comparison_.forget();
   try {
     recent_.add(document_.opened().path);
   } catch (const std::exception& error) {

@@ -143,6 +143,17 @@ void draw_cone_rows(Document& document, size_t selected, const GuidePath& guide)
   }
 }
 
+/// How the Markov chains fare with a guide; nothing for methods without.
+void draw_guide_statistics(const Document& document, size_t guide) {
+  const auto& chains = document.status().chains;
+  if (!chains || guide >= chains->guides.size()) return;
+  const ProposalStatistics& statistics = chains->guides[guide];
+  readout("Proposed", format_percent(statistics.share), "Share of all proposals of the chains");
+  readout("Accepted", format_percent(statistics.acceptance), "Of what this guide proposed");
+  readout("Light", format_percent(statistics.contribution),
+          "Share of the chains' light that this guide has found");
+}
+
 void draw_selected(Document& document, size_t selected) {
   const GuidePath guide = (*document.guides())[selected];
   for (const GuideFault& fault : document.guide_faults(selected)) {
@@ -178,9 +189,43 @@ void draw_selected(Document& document, size_t selected) {
                         "surfaces; the others are wasted",
                         candidates.candidates.size()));
   }
+  draw_guide_statistics(document, selected);
 }
 
 // -- What holds for all.
+
+bool is_guide_parameter(const Parameter& parameter) { return parameter.key.starts_with("guide"); }
+
+bool follows_guides(IntegratorSettings& settings) {
+  return std::ranges::any_of(settings.parameters(), is_guide_parameter);
+}
+
+/// The share of guided paths, or which algorithms there are to choose from.
+void draw_guided_share(Document& document) {
+  if (!document.settings().parameters) return;
+  std::shared_ptr<IntegratorSettings> edited = document.settings().parameters->clone();
+  if (!follows_guides(*edited)) {
+    std::string names;
+    for (const IntegratorInfo& info : integrators()) {
+      if (!follows_guides(*info.make_settings({}))) continue;
+      names += (names.empty() ? "" : ", ") + info.label;
+    }
+    ImGui::PushStyleColor(ImGuiCol_Text, palette::kWarning);
+    ImGui::TextWrapped("%s follows no guides. These do: %s.",
+                       find_integrator(document.settings().integrator).label.c_str(),
+                       names.c_str());
+    ImGui::PopStyleColor();
+    return;
+  }
+  bool changed = false;
+  for (const Parameter& parameter : edited->parameters()) {
+    if (is_guide_parameter(parameter)) changed |= draw_parameter(parameter);
+  }
+  if (!changed) return;
+  RenderSettings settings = document.settings();
+  settings.parameters = std::move(edited);
+  document.set_settings(settings);
+}
 
 void draw_options(Document& document, const std::string& file) {
   GuideView& view = document.guide_view();
@@ -218,6 +263,7 @@ void draw_guides_panel(Document& document, bool tool_active, const std::string& 
       draw_hint_for_first_guide();
     } else {
       draw_list(document);
+      draw_guided_share(document);
     }
   }
   const auto selected = document.guide_view().selected;

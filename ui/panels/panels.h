@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 
+#include "ui/compare/comparison.h"
 #include "ui/document.h"
 #include "ui/key_table.h"
 #include "ui/photons/photon_colors.h"
@@ -25,6 +26,8 @@ void draw_menu_bar(const Document& document, const RecentFiles& recent, const Pe
                    const std::function<void(const std::string&)>& open_scene, ViewLayout& views);
 
 void draw_scene_panel(const Document& document);
+/// A row with a parameter's widget; returns whether its value was changed.
+bool draw_parameter(const Parameter& parameter);
 void draw_integrator_panel(Document& document);
 void draw_render_panel(Document& document, bool region_tool_active, int& autosave_minutes,
                        const Perform& perform);
@@ -44,6 +47,9 @@ void draw_guides_panel(Document& document, bool tool_active, const std::string& 
 
 /// What photons there are, and how they are shown.
 void draw_photons_panel(Document& document, const PowerHistogram& powers);
+
+/// What the render is compared with, and how far it is from it.
+void draw_compare_panel(const Document& document, Comparison& comparison, const Perform& perform);
 
 /// Messages in the lower left corner of the view, newest at the bottom.
 void draw_messages(Messages& messages, ImVec2 corner, float width);

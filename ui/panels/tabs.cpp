@@ -7,7 +7,7 @@ namespace guidelight {
 bool Tabs::begin() { return ImGui::BeginTabBar("tabs", ImGuiTabBarFlags_FittingPolicyScroll); }
 
 bool Tabs::tab(Name name) {
-  static constexpr const char* kLabels[] = {"Image", "Guides", "Photons"};
+  static constexpr const char* kLabels[] = {"Image", "Guides", "Photons", "Compare"};
   const bool chosen = requested_ == name;
   if (chosen) requested_.reset();
   const int flags = chosen ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None;

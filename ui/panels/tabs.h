@@ -8,7 +8,7 @@ namespace guidelight {
 /// ImGui::EndTabItem(), where they return true.
 class Tabs {
  public:
-  enum Name { Image, Guides, Photons };
+  enum Name { Image, Guides, Photons, Compare };
 
   bool begin();
   /// Whether this one is shown.
