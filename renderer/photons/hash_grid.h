@@ -25,21 +25,10 @@ class HashGrid {
   /// The same in the memory of the grid before.
   void rebuild(std::span<const Item> items, float cell_side, Parallel& parallel);
 
-  /// Asks for the memory that a search will read, in two steps because the second needs the first:
-  /// where the cells of a ball begin, then what they hold.
-  void prefetch_cells(Vec3 center, float radius) const {
-    for_each_range(center, radius,
-                   [&](uint32_t first, uint32_t) { prefetch(&sorter_.begin()[first]); });
-  }
-  void prefetch_items(Vec3 center, float radius) const {
-    for_each_range(center, radius, [&](uint32_t first, uint32_t last) {
-      constexpr size_t kBytes = 256;  // enough to start on
-      const uint32_t begin = sorter_.begin()[first];
-      const uint32_t end = std::min<uint32_t>(sorter_.begin()[last], begin + kBytes / sizeof(Item));
-      constexpr uint32_t kPerLine = std::max<size_t>(1, 64 / sizeof(Item));
-      for (uint32_t i = begin; i < end; i += kPerLine) prefetch(&items_[i]);
-    });
-  }
+  /// Asks for the memory that a search of the usual radius will read. To be called twice, with time
+  /// between, because the second needs the first: where the cells begin, then (`items`) what they
+  /// hold.
+  void prefetch(Vec3 center, bool items) const;
 
   /// Calls visit(item, squared distance) once for each item nearer to `center` than `radius`, in an
   /// order that does not depend on threads.
@@ -93,6 +82,18 @@ void HashGrid<Item>::for_each_range(Vec3 center, float radius, Visit&& visit) co
       cells_.for_each_range(range->first.x, range->last.x, y, z, visit);
     }
   }
+}
+
+template <class Item>
+void HashGrid<Item>::prefetch(Vec3 center, bool items) const {
+  const auto begin = sorter_.begin();
+  for_each_range(center, 0.5f * cells_.side(), [&](uint32_t first, uint32_t last) {
+    if (!items) return guidelight::prefetch(&begin[first]);
+    constexpr uint32_t kItems = 8;  // enough to start on
+    constexpr uint32_t kPerLine = std::max<size_t>(1, 64 / sizeof(Item));
+    const uint32_t end = std::min(begin[last], begin[first] + kItems);
+    for (uint32_t i = begin[first]; i < end; i += kPerLine) guidelight::prefetch(&items_[i]);
+  });
 }
 
 template <class Item>

@@ -27,6 +27,7 @@ class HashedCells {
     return Cell(glm::clamp((p - bounds_.lower) * inverse_side_, Vec3(0.0f), Vec3(last_)));
   }
 
+  float side() const { return 1 / inverse_side_; }
   uint32_t table_size() const { return mask_ + 1; }
   /// Entry of the table for a point of the box; table_size() if the point is not finite.
   uint32_t entry_of(Vec3 p) const {

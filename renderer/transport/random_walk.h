@@ -21,9 +21,9 @@ namespace guidelight {
 ///              const Scattering& scattering)             false ends the path here
 ///   void end_segment()                                   all paths of the batch have been visited
 /// where `index` is the path's in the batch; path.rng may be drawn from. It may have, too,
-///   void expect(uint32_t index, Vec3 position, bool soon)
-/// which is called twice before a visit, some and few visits ahead: time to fetch what will be
-/// read.
+///   void expect(Vec3 position, bool soon)
+/// which is called twice before a visit, some and few visits ahead, so that what it will read can
+/// be fetched.
 class RandomWalk {
  public:
   /// `weights` must outlive this.
@@ -66,12 +66,11 @@ float survival_probability(const SurfacePoint& point);
 
 template <typename Visitor>
 void RandomWalk::announce(size_t i, size_t count, Visitor& visitor) const {
-  if constexpr (requires { visitor.expect(0u, Vec3(), true); }) {
+  if constexpr (requires { visitor.expect(Vec3(), true); }) {
     for (const size_t ahead : {16, 8}) {
       const size_t next = i + ahead;
       if (next >= count || !hits_[next].valid()) continue;
-      const Ray& ray = rays_[next];
-      visitor.expect(active_[next], ray.origin + hits_[next].t * ray.direction, ahead == 8);
+      visitor.expect(rays_[next].origin + hits_[next].t * rays_[next].direction, ahead == 8);
     }
   }
 }
