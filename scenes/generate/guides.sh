@@ -39,11 +39,19 @@ guide box "mirror and ball 3" --disc 0.1 --cone 1 --from=0,1.82,-0.05 --to=1.2,0
 guide box "mirror and ball 4" --disc 0.1 --cone 1 --from=0,1.82,-0.05 --to=1.2,0.944,0.18
 guide box "mirror and ball 5" --disc 0.1 --cone 1 --from=0,1.82,-0.05 --to=1.2,0.944,0.272
 
-# Through the round part of the keyhole and three places of the slot below.
-guide keyhole "round hole"  --disc 0.008 --cone 2.5 --from=-1.66206,0.935,0.02899 --to=-1.45,0.934,0.002
-guide keyhole "slot, upper" --disc 0.008 --cone 2   --from=-1.66206,0.935,0.02899 --to=-1.45,0.921,0.002
-guide keyhole "slot, lower" --disc 0.008 --cone 2   --from=-1.66206,0.935,0.02899 --to=-1.45,0.909,0.002
-guide keyhole "slot, foot"  --disc 0.008 --cone 1.5 --from=-1.66206,0.935,0.02899 --to=-1.45,0.902,0.002
+# Through the round part of the keyhole and three places of the slot below. The cones are wide enough
+# for all of the hole from all of the lamp: what no guide covers is left to few, bright paths.
+guide keyhole "round hole"  --disc 0.008 --cone 5 --from=-1.66206,0.935,0.02899 --to=-1.45,0.934,0.002
+guide keyhole "slot, upper" --disc 0.008 --cone 4.5 --from=-1.66206,0.935,0.02899 --to=-1.45,0.921,0.002
+guide keyhole "slot, lower" --disc 0.008 --cone 4.5 --from=-1.66206,0.935,0.02899 --to=-1.45,0.909,0.002
+guide keyhole "slot, foot"  --disc 0.008 --cone 4.5 --from=-1.66206,0.935,0.02899 --to=-1.45,0.902,0.002
+# By way of the wall behind the lamp.
+for y in 0.75 0.85 0.95 1.05; do
+  for z in -0.15 -0.05 0.05 0.15; do
+    guide keyhole "wall $y $z" --weight 0.02 --disc 0.008 --cone 5,4 \
+      --from=-1.678,0.935,0.03 --to="-2.6,$y,$z" --to=-1.45,0.925,0.002
+  done
+done
 
 # Through the face, and through the middle hole of each rosette.
 guide lantern "left eye"      --disc 0.005 --cone 7 --from=-0.00027,0.85184,0.00464 --to=-0.0087,0.9095,0.1505
