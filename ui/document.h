@@ -16,6 +16,7 @@
 #include "renderer/transport/guide_check.h"
 #include "ui/camera_controller.h"
 #include "ui/guides/guide_editing.h"
+#include "ui/guides/harvest.h"
 #include "ui/messages.h"
 #include "ui/undo_stack.h"
 
@@ -55,6 +56,13 @@ struct ViewSettings {
  private:
   size_t slot() const;
   std::array<DisplaySettings, kLayerCount> display_;
+};
+
+/// The light paths of the inspected pixel.
+struct Harvest {
+  std::vector<HarvestedPath> paths;  // the strongest first
+  std::optional<size_t> selected;
+  bool searching = false;
 };
 
 /// What photons are looked at by: their power, their bounce, or whether they make caustics.
@@ -156,6 +164,9 @@ class Document {
   const GuideList& guides_as_opened() const { return guides_as_opened_; }
   void set_solo(std::optional<size_t> guide);
 
+  Harvest& harvest() { return harvest_; }
+  const Harvest& harvest() const { return harvest_; }
+
   // -- Photons.
   const PhotonView& photon_view() const { return photon_view_; }
   /// Photons cost nothing while they are not shown.
@@ -208,6 +219,7 @@ class Document {
   UndoStack<Edits> edits_{{std::make_shared<const std::vector<GuidePath>>(), {}}};
   std::vector<std::vector<GuideFault>> faults_;
   GuideView guide_view_;
+  Harvest harvest_;
   PhotonView photon_view_;
   std::shared_ptr<PixelHistory> history_ = std::make_shared<PixelHistory>();  // of this job
   std::optional<glm::ivec2> watched_pixel_;                                   // in history_

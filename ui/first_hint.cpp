@@ -25,7 +25,7 @@ void FirstHint::dismiss() {
   }
 }
 
-void FirstHint::draw(ImDrawList& list, Vec2 corner) const {
+void FirstHint::draw(ImDrawList& list, Vec2 corner, float room) const {
   if (!shown_) return;
   const std::array lines = {"1   Press " + shortcut_text(Action::NewGuide) + " and click a light.",
                             std::string("2   Click the surfaces that its light should reach."),
@@ -39,6 +39,7 @@ void FirstHint::draw(ImDrawList& list, Vec2 corner) const {
   }
   const Vec2 pad(scaled(14), scaled(10));
   const Vec2 low = corner + scaled(12);
+  if (width + 2 * pad.x + scaled(24) > room) return;
   const Vec2 size(width, height * static_cast<float>(lines.size() + 1));
   list.AddRectFilled(to_imgui(low), to_imgui(low + size + 2.0f * pad), IM_COL32(24, 24, 24, 225),
                      scaled(6));

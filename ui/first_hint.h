@@ -15,8 +15,8 @@ class FirstHint {
   explicit FirstHint(const std::string& state_folder);
 
   void dismiss();
-  /// In the upper left corner of a view.
-  void draw(ImDrawList& list, Vec2 corner) const;
+  /// In the upper left corner of a view; left out where there is not enough room.
+  void draw(ImDrawList& list, Vec2 corner, float room) const;
 
  private:
   std::string mark_;

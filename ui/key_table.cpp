@@ -30,6 +30,7 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>({
 
     {Action::NewGuide, GLFW_KEY_G, 0, "Guides", "Place a guide path"},
     {Action::ShowGuides, GLFW_KEY_G, kShift, "Guides", "Show or hide the guides"},
+    {Action::KeepPath, GLFW_KEY_K, 0, "Guides", "Keep the light path as a guide"},
     {Action::DuplicateGuide, GLFW_KEY_D, kControl, "Guides", "Duplicate the guide"},
     {Action::DeleteGuide, GLFW_KEY_DELETE, 0, "Guides", "Delete the guide"},
 

@@ -24,6 +24,7 @@ enum class Action {
   Redo,
   NewGuide,
   ShowGuides,
+  KeepPath,
   DuplicateGuide,
   DeleteGuide,
   ShowPhotons,

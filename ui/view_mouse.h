@@ -42,6 +42,7 @@ class ViewMouse {
   const Window& window_;
   std::optional<Gesture> gesture_;
   int button_ = 0;          // ImGui's number
+  Vec2 last_mouse_{0};      // that the tool was told of [pixels]
   float fly_speed_ = 0.4f;  // [radii of the scene per second]
   bool was_hovered_ = false;
 };

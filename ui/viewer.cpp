@@ -13,6 +13,7 @@
 #include "ui/export.h"
 #include "ui/first_hint.h"
 #include "ui/guides/guide_saver.h"
+#include "ui/guides/harvester.h"
 #include "ui/guides/new_guide.h"
 #include "ui/key_table.h"
 #include "ui/layout.h"
@@ -83,6 +84,7 @@ class Viewer {
   Exporter exporter_;
   CheckpointSaver checkpoints_;
   GuideSaver guide_saver_{document_, *queue_};
+  Harvester harvester_{document_, *queue_};
   Opener opener_;
   std::function<void(double seconds)> on_frame_;
   RecentFiles recent_;
@@ -139,6 +141,7 @@ void Viewer::run() {
     document_.update(frame_began);
     checkpoints_.update(frame_began);
     guide_saver_.update(frame_began);
+    harvester_.update(panels_shown_ && tabs_.shown() == Tabs::Guides);
     display_.update(document_);
     comparison_.update(frame_began);
     if (document_.picture()) {
@@ -206,7 +209,8 @@ void Viewer::draw_views() {
     begin_area("view", views_.render(), Padding::None, palette::kBackdrop);
     view_.draw(document_, toolbox_);
     if (document_.has_scene() && document_.guides()->empty()) {
-      first_hint_.draw(*ImGui::GetWindowDrawList(), from_imgui(views_.render().corner));
+      first_hint_.draw(*ImGui::GetWindowDrawList(), from_imgui(views_.render().corner),
+                       views_.render().size.x);
     }
     ImGui::End();
   }
@@ -356,6 +360,11 @@ void Viewer::perform(Action action) {
     case Action::ShowGuides:
       document_.guide_view().shown = !document_.guide_view().shown;
       break;
+    case Action::KeepPath: {
+      const Harvest& harvest = document_.harvest();
+      add_guide(document_, harvest.paths[harvest.selected.value_or(0)].guide, "kept light path");
+      break;
+    }
     case Action::DuplicateGuide:
       duplicate_guide(document_, *document_.guide_view().selected);
       break;

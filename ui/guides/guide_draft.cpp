@@ -106,13 +106,16 @@ Continuation GuideDraft::aim(const Scene& scene, const SurfacePoint& target,
   const bool from_light = segments_.empty();
   const SurfacePoint& from = from_light ? light_->point : segments_.back().end;
   const Vec3 start = from_light ? start_before(target.position) : from.position;
-  const Vec3 direction = glm::normalize(target.position - start);
-  const Ray ray = from.bsdf ? from.spawn_ray(direction) : Ray{start, direction, kInfinity};
-
+  const float tolerance = guide_tolerance(scene);
   Continuation next;
   next.end = target;
+  if (glm::distance(start, target.position) <= tolerance) {
+    next.problem = "the path is here already";
+    return next;
+  }
+  const Vec3 direction = glm::normalize(target.position - start);
+  const Ray ray = from.bsdf ? from.spawn_ray(direction) : Ray{start, direction, kInfinity};
   auto segment = trace_guide_segment(scene, ray, choice);
-  const float tolerance = guide_tolerance(scene);
   const auto arrives = [&] {
     return segment && glm::distance(segment->end.position, target.position) <= tolerance;
   };

@@ -47,7 +47,7 @@ class Retracing {
   /// Sends a segment in another direction; returns the new index of its end.
   int shoot(int from, int to, Vec3 towards) {
     const auto start = surface_at(from);
-    if (!start) return to;
+    if (!start || start->position == towards) return to;
     const Vec3 direction = glm::normalize(towards - start->position);
     const Ray ray =
         start->bsdf ? start->spawn_ray(direction) : Ray{start->position, direction, kInfinity};
@@ -139,6 +139,10 @@ GuidePath move_guide_vertex(const Scene& scene, const GuidePath& guide, int move
     return path.take();
   }
   if (moved == 0 ? !to.light : !scatters) return guide;
+  for (const int neighbour : {moved - 1, moved + 1}) {
+    const bool exists = neighbour >= 0 && neighbour <= path.last();
+    if (exists && path.vertex(neighbour).position == to.position) return guide;
+  }
   path.vertex(moved).position = to.position;
   const int end = moved == 0 ? 0 : path.solve(path.free_before(moved), moved);
   if (end < path.last()) path.solve(end, path.free_after(end));

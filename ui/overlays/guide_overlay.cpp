@@ -133,4 +133,19 @@ void draw_guides(const Document& document, const ToolView& view, ImDrawList& lis
   if (selected) GuideDrawing(document, *selected, view, list).draw();
 }
 
+void draw_harvest(const Document& document, const ToolView& view, ImDrawList& list) {
+  const Harvest& harvest = document.harvest();
+  WorldPainter painter(document.scene(), view, list);
+  for (size_t i = 0; i < harvest.paths.size(); ++i) {
+    const bool selected = harvest.selected == i;
+    const ImU32 color = selected ? palette::kText : faded(palette::kText, 0.45f);
+    std::vector<Vec3> points;
+    for (const GuideVertex& vertex : harvest.paths[i].guide.vertices) {
+      points.push_back(vertex.position);
+    }
+    painter.polyline(points, color, scaled(selected ? 2.5f : 1.0f));
+    for (const Vec3 point : points) painter.dot(point, color, scaled(selected ? 3.5f : 2.0f));
+  }
+}
+
 }  // namespace guidelight

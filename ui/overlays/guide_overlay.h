@@ -10,4 +10,7 @@ namespace guidelight {
 /// cones, its disc on the light and paths that it proposes, too.
 void draw_guides(const Document& document, const ToolView& view, ImDrawList& list);
 
+/// The light paths of the inspected pixel, the selected one stronger.
+void draw_harvest(const Document& document, const ToolView& view, ImDrawList& list);
+
 }  // namespace guidelight

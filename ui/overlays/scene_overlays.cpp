@@ -38,6 +38,7 @@ void draw_gather_disc(const Document& document, const ToolView& view, ImDrawList
 
 void draw_overlays(const Document& document, const ToolView& view, ImDrawList& list) {
   draw_gather_disc(document, view, list);
+  draw_harvest(document, view, list);
   draw_guides(document, view, list);
 }
 

@@ -192,6 +192,37 @@ void draw_selected(Document& document, size_t selected) {
   draw_guide_statistics(document, selected);
 }
 
+// -- The light paths of the picked pixel.
+
+void draw_harvest_list(Document& document, const Perform& perform) {
+  Harvest& harvest = document.harvest();
+  if (!document.view().inspected_pixel) {
+    wrapped_dim_text("Click a pixel of the picture to see the ways on which light reaches it.");
+    return;
+  }
+  if (harvest.searching) {
+    dim_text("Searching …");
+    return;
+  }
+  if (harvest.paths.empty()) {
+    wrapped_dim_text("None was found: no indirect or direct light reaches this pixel.");
+    return;
+  }
+  for (size_t i = 0; i < harvest.paths.size(); ++i) {
+    const HarvestedPath& path = harvest.paths[i];
+    ImGui::PushID(static_cast<int>(i));
+    const std::string text = fmt::format("{:3.0f} %   {}", 100 * path.share, path.guide.name);
+    const std::string shown = shortened(text, ImGui::GetContentRegionAvail().x);
+    if (ImGui::Selectable(shown.c_str(), harvest.selected == i)) harvest.selected = i;
+    tooltip(fmt::format("{} of the light that was found comes by way of {}",
+                        format_percent(path.share), path.guide.name));
+    ImGui::PopID();
+  }
+  if (ImGui::Button("Keep as a guide", {-FLT_MIN, 0})) perform(Action::KeepPath);
+  tooltip(
+      fmt::format("The selected one, else the strongest ({})", shortcut_text(Action::KeepPath)));
+}
+
 // -- What holds for all.
 
 bool is_guide_parameter(const Parameter& parameter) { return parameter.key.starts_with("guide"); }
@@ -268,6 +299,7 @@ void draw_guides_panel(Document& document, bool tool_active, const std::string& 
   }
   const auto selected = document.guide_view().selected;
   if (selected && section("Selected guide")) draw_selected(document, *selected);
+  if (section("Light of the picked pixel")) draw_harvest_list(document, perform);
   if (section("Placing and showing")) draw_options(document, file);
 }
 

@@ -31,7 +31,8 @@ std::string GuideTool::hint() const {
   if (!problem_.empty()) return problem_;
   if (vertex_drag_.active()) return "The rest of the path is traced again as you drag";
   if (draft_.empty()) return "Click a light to begin a guide path; Esc puts the tool away";
-  if (preview_ && !preview_->problem.empty()) return "Not there: " + preview_->problem;
+  if (preview_ && !preview_->problem.empty() && !preview_->vertices.empty())
+    return "Not there: " + preview_->problem;
   if (draft_.segments() == 0) {
     return "Click where its light should go first; dragging from the light swings a ray";
   }
