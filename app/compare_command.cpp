@@ -1,6 +1,10 @@
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "app/commands.h"
+#include "app/scene_arguments.h"
+#include "renderer/error.h"
 #include "renderer/image/metrics.h"
 #include "renderer/image/tonemap.h"
 #include "renderer/io/image_file.h"
@@ -14,6 +18,7 @@ struct CompareCommand {
   std::string image;
   std::string reference;
   std::string error_map;
+  std::string crop;
   bool json = false;
 
   void run() const;
@@ -36,9 +41,28 @@ void print_table(const ImageMetrics& m) {
              m.not_finite, m.black_reference);
 }
 
+/// The part of a picture that --crop names.
+Image cropped(const Image& image, const std::string& crop) {
+  if (crop.empty()) return image;
+  const std::vector<int> c = split_numbers("--crop", crop, ',', 4);
+  const bool inside = 0 <= c[0] && c[0] < c[2] && c[2] <= image.width() && 0 <= c[1] &&
+                      c[1] < c[3] && c[3] <= image.height();
+  if (!inside) {
+    throw Error("--crop {}: the picture has {}x{} pixels: give x0,y0,x1,y1 inside it", crop,
+                image.width(), image.height());
+  }
+  Image part(c[2] - c[0], c[3] - c[1], image.channels());
+  for (int y = 0; y < part.height(); ++y) {
+    for (int x = 0; x < part.width(); ++x) {
+      std::copy_n(image.pixel(c[0] + x, c[1] + y), image.channels(), part.pixel(x, y));
+    }
+  }
+  return part;
+}
+
 void CompareCommand::run() const {
-  const Image a = read_image(image, ColorSpace::Linear);
-  const Image b = read_image(reference, ColorSpace::Linear);
+  const Image a = cropped(read_image(image, ColorSpace::Linear), crop);
+  const Image b = cropped(read_image(reference, ColorSpace::Linear), crop);
   const ImageMetrics metrics = compare_images(a, b);
   if (json) {
     fmt::print("{}\n", metrics_json(metrics));
@@ -67,6 +91,7 @@ void add_compare_command(CLI::App& app) {
       ->required();
   command->add_option("--error-map", arguments->error_map,
                       "Write relMSE per pixel as a false-colour .png, 1e-4 to 10");
+  command->add_option("--crop", arguments->crop, "Judge only x0,y0,x1,y1 [pixels]");
   command->add_flag("--json", arguments->json, "Print one line of JSON");
   command->callback([arguments] { arguments->run(); });
 }

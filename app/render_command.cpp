@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <thread>
 
+#include "app/chain_report.h"
 #include "app/commands.h"
 #include "app/guide_arguments.h"
 #include "app/interrupt.h"
@@ -31,6 +32,7 @@ struct RenderCommand {
   std::string checkpoint;
   bool resume = false;
   bool full_float = false;
+  bool statistics = false;
 
   void add_to(CLI::App& command) {
     scene.add_to(command);
@@ -50,6 +52,8 @@ struct RenderCommand {
                        "Write what each technique of bdpt or vcm brought to this .exr");
     command.add_option("--crop", crop, "Render only x0,y0,x1,y1 [pixels]");
     command.add_flag("--float", full_float, "Write 32-bit floats to .exr, not 16-bit");
+    command.add_flag("--statistics", statistics,
+                     "Print how the Markov chains of mlt, pssmlt or mps fared");
     auto* save = command.add_option("--checkpoint", checkpoint, "Save the progress to this file");
     command.add_flag("--resume", resume, "Go on from the checkpoint if it exists")->needs(save);
   }
@@ -122,6 +126,7 @@ void RenderCommand::run() const {
     fmt::print(stderr, "guidelight: warning: {} samples were not finite and count as black\n",
                snapshot->rejected_samples);
   }
+  if (statistics && snapshot->chains) fmt::print("{}", chain_report(*snapshot->chains));
   for (const std::string& path : outputs) {
     export_picture(path, job, *snapshot, full_float);
     fmt::print("{}\n", path);

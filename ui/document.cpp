@@ -12,6 +12,8 @@
 namespace guidelight {
 namespace {
 
+constexpr int kCandidates = 100;  // drawn of the selected guide
+
 /// A camera that keeps moving lets each position show its first picture, unless that takes longer.
 constexpr std::chrono::milliseconds kLongestWaitForPicture{250};
 
@@ -21,6 +23,17 @@ bool render_the_same(const RenderSettings& a, const RenderSettings& b) {
     return std::tie(s.integrator, s.parameters, s.width, s.height, s.seed, s.threads, s.region);
   };
   return picture(a) == picture(b);
+}
+
+/// What was changed, as undo names it.
+std::string name_of_change(const RenderSettings& a, const RenderSettings& b) {
+  if (a.integrator != b.integrator) return "choice of algorithm";
+  if (a.parameters != b.parameters) return "integrator parameter";
+  if (a.width != b.width || a.height != b.height) return "picture size";
+  if (a.region != b.region) return "render region";
+  if (a.seed != b.seed) return "seed";
+  if (a.threads != b.threads) return "thread count";
+  return "render target";
 }
 
 }  // namespace
@@ -60,6 +73,13 @@ Document::Document(std::function<void()> published) : session_(std::move(publish
 void Document::open(OpenedScene opened) {
   opened_ = std::move(opened);
   settings_ = settings_for(scene());
+  const auto none = std::make_shared<const std::vector<GuidePath>>();
+  guides_as_opened_ = opened_.guides ? opened_.guides : none;
+  edits_.reset({guides_as_opened_, settings_});
+  ++openings_;
+  guide_view_.selected.reset();
+  guide_view_.solo.reset();
+  take_guides();
   view_.inspected_pixel.reset();
   range_known_ = {};
   resume_.reset();
@@ -72,6 +92,7 @@ void Document::open(OpenedScene opened) {
     messages_.warning(fmt::format("{} opened with {} warning{}; the scene panel lists them.",
                                   title(), warnings, warnings == 1 ? "" : "s"));
   }
+  if (!opened_.guide_problem.empty()) messages_.error(opened_.guide_problem);
 }
 
 RenderSettings Document::settings_for(const Scene& scene) const {
@@ -125,6 +146,13 @@ void Document::find_pivot() {
 // -- The render.
 
 void Document::set_settings(const RenderSettings& settings) {
+  if (render_the_same(settings, settings_) && settings.targets == settings_.targets) return;
+  const std::string change = name_of_change(settings_, settings);
+  apply_settings(settings);
+  edits_.commit({guides(), settings_}, change, change);
+}
+
+void Document::apply_settings(const RenderSettings& settings) {
   if (render_the_same(settings, settings_)) {
     settings_.targets = settings.targets;
     session_.set_targets(settings.targets);
@@ -181,6 +209,8 @@ void Document::set_paused(bool paused) {
 
 void Document::update(Clock::time_point now) {
   messages_.expire(now);
+  update_candidates();
+  watch_pixel();
   status_ = session_.snapshot();
   const bool of_this_scene = !jobs_.empty() && status_->job >= jobs_.front().number;
   if (of_this_scene && status_->has_picture()) picture_ = status_;
@@ -206,6 +236,11 @@ void Document::start(Clock::time_point now) {
   job.threads = settings_.threads;
   job.targets = settings_.targets;
   job.region = settings_.region;
+  job.guides = followed_guides();
+  history_ = std::make_shared<PixelHistory>();
+  watched_pixel_.reset();
+  watch_pixel();
+  job.history = history_;
   job.coarse_first = true;
   if (resume_) {
     const auto [checkpoint, path] = *std::exchange(resume_, std::nullopt);
@@ -225,6 +260,95 @@ void Document::start(Clock::time_point now) {
 }
 
 const RenderJob& Document::picture_job() const { return jobs_.front().job; }
+
+// -- Guide paths.
+
+void Document::edit_guides(std::vector<GuidePath> guides, const std::string& label,
+                           const std::string& kind) {
+  auto list = std::make_shared<const std::vector<GuidePath>>(std::move(guides));
+  edits_.commit({std::move(list), settings_}, label, kind);
+  take_guides();
+}
+
+void Document::set_solo(std::optional<size_t> guide) {
+  guide_view_.solo = guide;
+  follow_guides();
+}
+
+/// Looks at a changed list and has it followed.
+void Document::take_guides() {
+  faults_.clear();
+  candidates_ = {};
+  if (!has_scene()) return;
+  for (const GuidePath& guide : *guides()) faults_.push_back(check_guide(scene(), guide));
+  const auto drop_missing = [&](std::optional<size_t>& index) {
+    if (index && *index >= guides()->size()) index.reset();
+  };
+  drop_missing(guide_view_.selected);
+  drop_missing(guide_view_.solo);
+  follow_guides();
+}
+
+void Document::follow_guides() {
+  const GuideList followed = followed_guides();
+  session_.set_guides(followed);
+  if (!jobs_.empty()) jobs_.back().job.guides = followed;
+}
+
+void Document::update_candidates() {
+  const auto& selected = guide_view_.selected;
+  if (candidates_.of == selected) return;
+  candidates_ = {selected, {}};
+  if (selected) {
+    candidates_.drawn = sample_candidates(opened_.scene, (*guides())[*selected], kCandidates);
+  }
+}
+
+GuideList Document::followed_guides() const {
+  if (!guide_view_.solo) return guides();
+  auto alone = *guides();
+  for (size_t i = 0; i < alone.size(); ++i) alone[i].enabled = i == *guide_view_.solo;
+  return std::make_shared<const std::vector<GuidePath>>(std::move(alone));
+}
+
+// -- Photons.
+
+void Document::set_photon_view(const PhotonView& view) {
+  photon_view_ = view;
+  session_.request_photons(view.shown ? static_cast<size_t>(view.cap) : 0);
+}
+
+void Document::watch_pixel() {
+  const auto& pixel = view_.inspected_pixel;
+  if (pixel == watched_pixel_) return;
+  watched_pixel_ = pixel;
+  std::vector<PixelHistory::Pixel> watched;
+  if (pixel) watched.push_back({pixel->x, pixel->y});
+  history_->watch(watched);
+}
+
+std::vector<PixelHistory::Entry> Document::pixel_history() const {
+  if (!watched_pixel_) return {};
+  return history_->of({watched_pixel_->x, watched_pixel_->y});
+}
+
+// -- Undo.
+
+void Document::undo() {
+  const std::string label = edits_.undo_label();
+  if (!edits_.undo()) return;
+  apply_settings(edits_.state().settings);
+  take_guides();
+  messages_.note("Undid: " + label);
+}
+
+void Document::redo() {
+  const std::string label = edits_.redo_label();
+  if (!edits_.redo()) return;
+  apply_settings(edits_.state().settings);
+  take_guides();
+  messages_.note("Did again: " + label);
+}
 
 // -- The look of the picture.
 

@@ -9,11 +9,16 @@
 #include <string>
 
 #include "renderer/image/tonemap.h"
+#include "renderer/integrators/pixel_history.h"
 #include "renderer/scene/scene.h"
 #include "renderer/session/checkpoints.h"
 #include "renderer/session/render_session.h"
+#include "renderer/transport/guide_check.h"
 #include "ui/camera_controller.h"
+#include "ui/guides/guide_editing.h"
+#include "ui/guides/harvest.h"
 #include "ui/messages.h"
+#include "ui/undo_stack.h"
 
 namespace guidelight {
 
@@ -22,6 +27,8 @@ struct OpenedScene {
   std::string path;
   std::map<std::string, std::string> defines;  // variables it was read with
   std::shared_ptr<const Scene> scene;
+  GuideList guides;           // from the file beside it; null if there is none
+  std::string guide_problem;  // why that file could not be read; empty if it could
 };
 
 /// What to render, as a person sets it: everything of a RenderJob but the scene.
@@ -51,6 +58,34 @@ struct ViewSettings {
   std::array<DisplaySettings, kLayerCount> display_;
 };
 
+/// The light paths of the inspected pixel.
+struct Harvest {
+  std::vector<HarvestedPath> paths;  // the strongest first
+  std::optional<size_t> selected;
+  bool searching = false;
+};
+
+/// What photons are looked at by: their power, their bounce, or whether they make caustics.
+enum class PhotonColoring { Power, Bounce, Kind };
+
+/// How photons are looked at.
+struct PhotonView {
+  bool shown = false;
+  PhotonColoring coloring = PhotonColoring::Power;
+  float point_size = 3;  // [pixels]
+  int cap = 50'000;      // of those drawn
+};
+
+/// How guides are looked at and placed; not part of what is saved.
+struct GuideView {
+  std::optional<size_t> selected;
+  std::optional<size_t> solo;  // only this one is followed
+  bool shown = true;
+  bool candidates_shown = true;
+  int swing_bounces = 3;
+  SpecularChoice choice = SpecularChoice::Refract;
+};
+
 /// Depth, sample count and variance: numbers rather than colours.
 bool is_data_layer(Layer layer);
 /// "coffee" for ".../coffee/scene_v3.xml", "box" for ".../box.xml".
@@ -71,6 +106,8 @@ class Document {
   void override_settings(const RenderSettings& settings) { overrides_ = settings; }
   /// Shows another scene from its own camera with its own settings, and renders it.
   void open(OpenedScene opened);
+  /// Grows with every scene opened.
+  uint64_t openings() const { return openings_; }
   bool has_scene() const { return opened_.scene != nullptr; }
   const OpenedScene& opened() const { return opened_; }
   const Scene& scene() const { return *opened_.scene; }
@@ -111,6 +148,42 @@ class Document {
   /// What the latest picture is of, even if a newer job has been started since.
   const RenderJob& picture_job() const;
 
+  // -- Guide paths. Changing them never restarts the render.
+  /// Never null.
+  const GuideList& guides() const { return edits_.state().guides; }
+  /// Steps of one nonempty `kind` are undone together until seal_edits().
+  void edit_guides(std::vector<GuidePath> guides, const std::string& label,
+                   const std::string& kind = "");
+  /// Why a guide cannot be followed, beside guides().
+  const std::vector<GuideFault>& guide_faults(size_t guide) const { return faults_[guide]; }
+  GuideView& guide_view() { return guide_view_; }
+  const GuideView& guide_view() const { return guide_view_; }
+  /// Light paths as the selected guide proposes them.
+  const GuideCandidates& candidates() const { return candidates_.drawn; }
+  /// As they were in the scene's file.
+  const GuideList& guides_as_opened() const { return guides_as_opened_; }
+  void set_solo(std::optional<size_t> guide);
+
+  Harvest& harvest() { return harvest_; }
+  const Harvest& harvest() const { return harvest_; }
+
+  // -- Photons.
+  const PhotonView& photon_view() const { return photon_view_; }
+  /// Photons cost nothing while they are not shown.
+  void set_photon_view(const PhotonView& view);
+
+  /// How the density estimates of the inspected pixel have developed; empty without one, and for
+  /// methods without.
+  std::vector<PixelHistory::Entry> pixel_history() const;
+
+  // -- Undo, of guides and render settings.
+  void undo();
+  void redo();
+  std::string undo_label() const { return edits_.undo_label(); }
+  std::string redo_label() const { return edits_.redo_label(); }
+  /// Ends a step of many small changes, a drag for instance.
+  void seal_edits() { edits_.seal(); }
+
   // -- The look of the picture.
   ViewSettings& view() { return view_; }
   const ViewSettings& view() const { return view_; }
@@ -127,9 +200,33 @@ class Document {
   Camera current_camera() const;
   RenderSettings settings_for(const Scene& scene) const;
   void start(Clock::time_point now);
+  void apply_settings(const RenderSettings& settings);
+  void take_guides();
+  void follow_guides();
+  void update_candidates();
+  void watch_pixel();
+  GuideList followed_guides() const;
+
+  struct Edits {
+    GuideList guides;
+    RenderSettings settings;
+  };
 
   OpenedScene opened_;
+  uint64_t openings_ = 0;
+  GuideList guides_as_opened_;
   CameraController camera_;
+  UndoStack<Edits> edits_{{std::make_shared<const std::vector<GuidePath>>(), {}}};
+  std::vector<std::vector<GuideFault>> faults_;
+  GuideView guide_view_;
+  Harvest harvest_;
+  PhotonView photon_view_;
+  std::shared_ptr<PixelHistory> history_ = std::make_shared<PixelHistory>();  // of this job
+  std::optional<glm::ivec2> watched_pixel_;                                   // in history_
+  struct {
+    std::optional<size_t> of;  // guide
+    GuideCandidates drawn;
+  } candidates_;
   RenderSettings settings_;
   RenderSettings overrides_;
   ViewSettings view_;

@@ -25,12 +25,22 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>({
     {Action::ExportFloat, GLFW_KEY_E, kControl | kShift, "File", "Export EXR, float"},
     {Action::Quit, GLFW_KEY_Q, kControl, "File", "Quit"},
 
+    {Action::Undo, GLFW_KEY_Z, kControl, "Edit", "Undo"},
+    {Action::Redo, GLFW_KEY_Z, kControl | kShift, "Edit", "Redo"},
+
+    {Action::NewGuide, GLFW_KEY_G, 0, "Guides", "Place a guide path"},
+    {Action::ShowGuides, GLFW_KEY_G, kShift, "Guides", "Show or hide the guides"},
+    {Action::KeepPath, GLFW_KEY_K, 0, "Guides", "Keep the light path as a guide"},
+    {Action::DuplicateGuide, GLFW_KEY_D, kControl, "Guides", "Duplicate the guide"},
+    {Action::DeleteGuide, GLFW_KEY_DELETE, 0, "Guides", "Delete the guide"},
+
     {Action::PauseResume, GLFW_KEY_SPACE, 0, "Render", "Pause or resume"},
     {Action::Restart, GLFW_KEY_BACKSPACE, 0, "Render", "Restart"},
     {Action::RegionTool, GLFW_KEY_R, 0, "Render", "Draw a render region"},
     {Action::ClearRegion, GLFW_KEY_R, kShift, "Render", "Render the whole picture"},
 
     {Action::CycleViews, GLFW_KEY_TAB, 0, "View", "Render, scout or both views"},
+    {Action::ShowPhotons, GLFW_KEY_P, 0, "View", "Show or hide the photons"},
     {Action::ViewFromRender, GLFW_KEY_V, 0, "View", "Scout from the render camera"},
 
     {Action::FrameScene, GLFW_KEY_F, 0, "Camera", "Frame the scene"},
@@ -43,6 +53,8 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>({
     {Action::NextLayer, GLFW_KEY_RIGHT_BRACKET, 0, "Image", "Next layer"},
     {Action::ClipWarning, GLFW_KEY_C, 0, "Image", "Mark clipped pixels"},
     {Action::Inspector, GLFW_KEY_I, 0, "Image", "Inspect pixels"},
+    {Action::LoadReference, GLFW_KEY_L, kControl, "Image", "Load a reference…"},
+    {Action::PinPicture, GLFW_KEY_B, 0, "Image", "Pin the picture to compare with"},
     {Action::ZoomFit, GLFW_KEY_0, 0, "Image", "Fit to the window"},
     {Action::ZoomActual, GLFW_KEY_1, 0, "Image", "Actual pixels"},
 

@@ -1,5 +1,10 @@
 #include "ui/render_view.h"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+
 #include "ui/legend.h"
 #include "ui/overlays/scene_overlays.h"
 #include "ui/theme.h"
@@ -27,10 +32,12 @@ void RenderView::draw(Document& document, Toolbox& toolbox) {
   ImGui::InvisibleButton("picture", to_imgui(room),
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                              ImGuiButtonFlags_MouseButtonMiddle);
+  ImGui::SetItemAllowOverlap();  // by the line of the wipe
   const bool hovered = ImGui::IsItemHovered();
   find_hovered_pixel(document, hovered);
   list.PushClipRect(to_imgui(corner), to_imgui(corner + room), true);
   draw_picture(list);
+  draw_other(list, hovered);
   draw_scene_overlays(document, toolbox, list, corner, room, hovered);
   list.PopClipRect();
 }
@@ -44,6 +51,47 @@ void RenderView::draw_picture(ImDrawList& list) {
                 to_imgui(transform_.to_screen(size)));
 }
 
+void RenderView::draw_other(ImDrawList& list, bool hovered) {
+  using Mode = Comparison::Mode;
+  const bool alone = hovered && window_.modifiers() == GLFW_MOD_SHIFT && !mouse_.active();
+  const bool errors = !alone && comparison_.mode == Mode::ErrorMap;
+  if (!comparison_.other().image || (!alone && comparison_.mode == Mode::Off)) return;
+  const auto shown = errors ? comparison_.error_displayed() : comparison_.other_displayed();
+  if (!shown || !picture_) return;
+  if (shown != other_) {
+    other_ = shown;
+    other_texture_.upload(*shown);
+  }
+  other_texture_.set_smooth(transform_.scale() != 1 && transform_.scale() < 2);
+  const float share = !alone && !errors ? comparison_.wipe : 1.0f;
+  const Vec2 size(picture_->snapshot->full_width, picture_->snapshot->full_height);
+  list.AddImage(other_texture_.id(), to_imgui(transform_.to_screen(Vec2(0))),
+                to_imgui(transform_.to_screen(size * Vec2(share, 1))), {0, 0}, {share, 1});
+  if (alone) {
+    const Vec2 top = transform_.to_screen(Vec2(size.x / 2, 0));
+    draw_hint(list, top + Vec2(0, scaled(24)), comparison_.other().name);
+  } else if (!errors) {
+    drag_wipe(list);
+  }
+}
+
+void RenderView::drag_wipe(ImDrawList& list) {
+  const Vec2 size(picture_->snapshot->full_width, picture_->snapshot->full_height);
+  const Vec2 top = transform_.to_screen(size * Vec2(comparison_.wipe, 0));
+  const Vec2 bottom = transform_.to_screen(size * Vec2(comparison_.wipe, 1));
+  const float half = scaled(5);
+  ImGui::SetCursorScreenPos({top.x - half, top.y});
+  ImGui::InvisibleButton("wipe", {2 * half, std::max(1.0f, bottom.y - top.y)});
+  const bool lit = ImGui::IsItemHovered() || ImGui::IsItemActive();
+  if (lit) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  if (ImGui::IsItemActive()) {
+    const float pixel = transform_.to_pixel(from_imgui(ImGui::GetMousePos())).x;
+    comparison_.wipe = std::clamp(pixel / size.x, 0.0f, 1.0f);
+  }
+  list.AddLine(to_imgui(top), to_imgui(bottom), lit ? palette::kAccent : palette::kText,
+               scaled(lit ? 2 : 1));
+}
+
 void RenderView::draw_scene_overlays(Document& document, Toolbox& toolbox, ImDrawList& list,
                                      Vec2 corner, Vec2 room, bool hovered) {
   const auto scene = document.current_scene();
@@ -51,6 +99,7 @@ void RenderView::draw_scene_overlays(Document& document, Toolbox& toolbox, ImDra
                                                   transform_.scale(), scene->bounds());
   ToolView view{projection, &transform_};
   view.mouse = from_imgui(ImGui::GetMousePos());
+  view.double_click = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
   const RenderSettings& settings = document.settings();
   NavigationTarget target;
   target.move = [&](const auto& move) { document.move_camera(move); };
@@ -60,6 +109,7 @@ void RenderView::draw_scene_overlays(Document& document, Toolbox& toolbox, ImDra
   target.picture_height = transform_.scale() * static_cast<float>(settings.height);
   mouse_.update(document, toolbox, view, target, hovered);
 
+  draw_photons(projection, list, corner, room);
   if (settings.region) draw_region(*settings.region, settings, transform_, list);
   draw_overlays(document, view, list);
   toolbox.tool().draw(document, view, list);
@@ -68,6 +118,24 @@ void RenderView::draw_scene_overlays(Document& document, Toolbox& toolbox, ImDra
   }
   const std::string hint = toolbox.tool().hint();
   if (!hint.empty()) draw_hint(list, corner + Vec2(room.x / 2, room.y - scaled(32)), hint);
+}
+
+/// Depth-tested against the scene, which itself stays invisible.
+void RenderView::draw_photons(const ViewProjection& projection, ImDrawList& list, Vec2 corner,
+                              Vec2 room) {
+  if (!display_.has_photons()) return;
+  const Mat4 clip_from_world = projection.clip_from_world(corner, room);
+  if (clip_from_world != photons_from_world_ || display_.version() != photons_version_) {
+    photons_from_world_ = clip_from_world;
+    photons_version_ = display_.version();
+    photons_.begin(static_cast<int>(room.x), static_cast<int>(room.y), Vec4(0));
+    MeshRaster::Look look;
+    look.style = MeshStyle::DepthOnly;
+    display_.draw_mesh(clip_from_world, look);
+    display_.draw_photons(clip_from_world, {});
+    RasterTarget::end();
+  }
+  list.AddImage(photons_.id(), to_imgui(corner), to_imgui(corner + room));
 }
 
 void RenderView::find_hovered_pixel(const Document& document, bool hovered) {

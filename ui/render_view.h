@@ -3,7 +3,10 @@
 #include <memory>
 #include <optional>
 
+#include "ui/compare/comparison.h"
+#include "ui/display_scene.h"
 #include "ui/document.h"
+#include "ui/gl/raster_target.h"
 #include "ui/picture_developer.h"
 #include "ui/picture_texture.h"
 #include "ui/view_mouse.h"
@@ -15,7 +18,8 @@ namespace guidelight {
 /// The picture and what is drawn over it.
 class RenderView {
  public:
-  explicit RenderView(const Window& window) : mouse_(window) {}
+  RenderView(const Window& window, const DisplayScene& display, Comparison& comparison)
+      : window_(window), display_(display), comparison_(comparison), mouse_(window) {}
 
   void show(std::shared_ptr<const Picture> picture);
   /// What is on the screen; null before the first.
@@ -34,15 +38,28 @@ class RenderView {
 
  private:
   void draw_picture(ImDrawList& list);
+  /// The picture that is compared with, over a part of the picture or all of it.
+  void draw_other(ImDrawList& list, bool hovered);
+  void drag_wipe(ImDrawList& list);
   void draw_scene_overlays(Document& document, Toolbox& toolbox, ImDrawList& list, Vec2 corner,
                            Vec2 room, bool hovered);
+  void draw_photons(const ViewProjection& projection, ImDrawList& list, Vec2 corner, Vec2 room);
   void find_hovered_pixel(const Document& document, bool hovered);
 
+  const Window& window_;
+  const DisplayScene& display_;
+  Comparison& comparison_;
   std::shared_ptr<const Picture> picture_;
   PictureTexture texture_;
   ViewTransform transform_;
   ViewMouse mouse_;
   std::optional<glm::ivec2> hovered_pixel_;
+
+  PictureTexture other_texture_;
+  std::shared_ptr<const DisplayImage> other_;  // in the texture
+  RasterTarget photons_;                       // over the picture
+  Mat4 photons_from_world_{0.0f};
+  uint64_t photons_version_ = 0;
 };
 
 }  // namespace guidelight

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "renderer/error.h"
+#include "renderer/io/guide_file.h"
 #include "renderer/session/open_scene.h"
 
 namespace guidelight {
@@ -14,7 +15,15 @@ namespace {
 OpenedScene read_and_build(const std::string& path,
                            const std::map<std::string, std::string>& defines) {
   const std::string absolute = std::filesystem::absolute(path).lexically_normal().string();
-  return {absolute, defines, Scene::build(open_scene(absolute, defines))};
+  OpenedScene opened{absolute, defines, Scene::build(open_scene(absolute, defines)), {}, {}};
+  const std::string guide_file = guide_file_beside(absolute);
+  if (!std::filesystem::exists(guide_file)) return opened;
+  try {
+    opened.guides = std::make_shared<const std::vector<GuidePath>>(read_guides(guide_file));
+  } catch (const std::exception& error) {
+    opened.guide_problem = error.what();
+  }
+  return opened;
 }
 
 }  // namespace

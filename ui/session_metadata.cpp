@@ -6,6 +6,7 @@
 #include <charconv>
 #include <sstream>
 
+#include "renderer/io/guide_file.h"
 #include "renderer/session/picture_export.h"
 
 namespace guidelight {
@@ -77,6 +78,7 @@ std::optional<RememberedSession> session_of(const Metadata& metadata) {
   session.defines = with_prefix(metadata, kDefinePrefix);
   session.region = region_from(lookup(metadata, "region"));
   session.camera_to_world = *camera;
+  session.guides = lookup(metadata, "guides");
   session.width = *width;
   session.height = *height;
   session.seed = *seed;
@@ -103,6 +105,11 @@ void restore_session(const RememberedSession& session, Document& document) {
   document.move_camera(
       [&](CameraController& camera) { camera.set_to_world(session.camera_to_world); });
   document.find_pivot();
+  if (session.guides.empty()) return;
+  auto guides = parse_guides(session.guides, "the picture's guides");
+  if (guides_text(guides) != guides_text(*document.guides())) {
+    document.edit_guides(std::move(guides), "guides of the session");
+  }
 }
 
 }  // namespace guidelight

@@ -21,13 +21,14 @@ struct RememberedSession {
   uint64_t seed = 0;
   std::optional<PixelRegion> region;
   Mat4 camera_to_world{1.0f};
+  std::string guides;  // as guides_text() wrote them; empty if there were none
 };
 
 /// Empty if the metadata are not those of a picture or checkpoint of ours.
 std::optional<RememberedSession> session_of(const Metadata& metadata);
 
 /// Gives a document whose scene has just been opened the settings and the camera of a session.
-/// Throws Error for an integrator or parameters that do not exist.
+/// Throws Error for an integrator, parameters or guides that do not exist.
 void restore_session(const RememberedSession& session, Document& document);
 
 }  // namespace guidelight

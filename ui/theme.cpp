@@ -28,6 +28,13 @@ void set_colors(ImVec4* colors) {
   colors[ImGuiCol_Button] = color(kField);
   colors[ImGuiCol_ButtonHovered] = color(kFieldHovered);
   colors[ImGuiCol_ButtonActive] = color(kAccentSoft);
+  colors[ImGuiCol_Tab] = color(kPanel);
+  colors[ImGuiCol_TabHovered] = color(kFieldHovered);
+  colors[ImGuiCol_TabActive] = color(kField);
+  colors[ImGuiCol_TabUnfocused] = color(kPanel);
+  colors[ImGuiCol_TabUnfocusedActive] = color(kField);
+  colors[ImGuiCol_DragDropTarget] = color(kAccent);
+  colors[ImGuiCol_PlotLines] = color(kAccent);
   colors[ImGuiCol_Header] = color(kAccentSoft);
   colors[ImGuiCol_HeaderHovered] = color(kFieldHovered);
   colors[ImGuiCol_HeaderActive] = color(kAccentSoft);

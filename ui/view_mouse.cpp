@@ -25,9 +25,13 @@ constexpr Button kButtons[] = {{MouseInput::Left, ImGuiMouseButton_Left},
 
 void ViewMouse::update(Document& document, Toolbox& toolbox, const ToolView& view,
                        const NavigationTarget& target, bool hovered) {
-  if (!gesture_ && hovered) begin(document, toolbox, view);
-  if (gesture_) {
+  if (!gesture_ && hovered) {
+    begin(document, toolbox, view);
+  } else if (gesture_ && ImGui::IsMouseDown(button_)) {
     go_on(document, toolbox, view, target);
+  }
+  if (gesture_) {
+    // What is under the mouse is the gesture's.
   } else if (hovered) {
     toolbox.tool().hover(document, view);
   } else if (was_hovered_) {
@@ -43,7 +47,11 @@ void ViewMouse::begin(Document& document, Toolbox& toolbox, const ToolView& view
     if (!ImGui::IsMouseClicked(button.number)) continue;
     gesture_ = gesture_for(button.input, window_.modifiers());
     button_ = button.number;
-    if (gesture_ == Gesture::UseTool) toolbox.tool().press(document, view);
+    if (gesture_ == Gesture::UseTool) {
+      ToolView at_press = view;
+      at_press.mouse = last_mouse_ = window_.press_position(button_);
+      toolbox.tool().press(document, at_press);
+    }
     return;
   }
 }
@@ -58,6 +66,7 @@ void ViewMouse::go_on(Document& document, Toolbox& toolbox, const ToolView& view
   if (moved == Vec2(0)) return;
   switch (*gesture_) {
     case Gesture::UseTool:
+      last_mouse_ = view.mouse;
       toolbox.tool().drag(document, view);
       break;
     case Gesture::Orbit:
@@ -81,7 +90,10 @@ void ViewMouse::go_on(Document& document, Toolbox& toolbox, const ToolView& view
 void ViewMouse::end(Document& document, Toolbox& toolbox, const ToolView& view,
                     const NavigationTarget& target) {
   if (gesture_ == Gesture::UseTool) {
-    toolbox.tool().release(document, view);
+    ToolView at_release = view;
+    at_release.mouse = window_.release_position(button_);
+    if (at_release.mouse != last_mouse_) toolbox.tool().drag(document, at_release);
+    toolbox.tool().release(document, at_release);
     toolbox.tidy();
   }
   if (gesture_ == Gesture::Fly) target.find_pivot();

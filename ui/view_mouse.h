@@ -27,6 +27,7 @@ class ViewMouse {
   /// To be called once per frame; `hovered`: the mouse is over the view and nothing covers it.
   void update(Document& document, Toolbox& toolbox, const ToolView& view,
               const NavigationTarget& target, bool hovered);
+  bool active() const { return gesture_.has_value(); }
   bool flying() const { return gesture_ == Gesture::Fly; }
 
  private:
@@ -41,6 +42,7 @@ class ViewMouse {
   const Window& window_;
   std::optional<Gesture> gesture_;
   int button_ = 0;          // ImGui's number
+  Vec2 last_mouse_{0};      // that the tool was told of [pixels]
   float fly_speed_ = 0.4f;  // [radii of the scene per second]
   bool was_hovered_ = false;
 };

@@ -23,8 +23,11 @@ ViewProjection::ViewProjection(const Camera& camera, Vec2 origin, float scale, f
       near_(near),
       far_(far) {
   const Vec3 corner = on_picture_plane(camera, {0, 0}, parallel_);
-  const Vec3 right = on_picture_plane(camera, {1, 0}, parallel_) - corner;  // by one pixel
-  const Vec3 below = on_picture_plane(camera, {0, 1}, parallel_) - corner;
+  // By one pixel; differences over the whole picture lose fewer digits.
+  const auto width = static_cast<float>(camera.width());
+  const auto height = static_cast<float>(camera.height());
+  const Vec3 right = (on_picture_plane(camera, {width, 0}, parallel_) - corner) / width;
+  const Vec3 below = (on_picture_plane(camera, {0, height}, parallel_) - corner) / height;
   across_ = right * (scale / length_squared(right));
   down_ = below * (scale / length_squared(below));
   offset_ = origin - Vec2(glm::dot(corner, across_), glm::dot(corner, down_));

@@ -8,18 +8,25 @@
 
 #include "renderer/error.h"
 #include "ui/checkpoint_saver.h"
+#include "ui/compare/comparison.h"
 #include "ui/document.h"
 #include "ui/export.h"
+#include "ui/first_hint.h"
+#include "ui/guides/guide_saver.h"
+#include "ui/guides/harvester.h"
+#include "ui/guides/new_guide.h"
 #include "ui/key_table.h"
 #include "ui/layout.h"
 #include "ui/opener.h"
 #include "ui/panels/file_dialog.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/tabs.h"
 #include "ui/picture_developer.h"
 #include "ui/recent_files.h"
 #include "ui/render_view.h"
 #include "ui/scout/scout_view.h"
 #include "ui/theme.h"
+#include "ui/tools/guide_tool.h"
 #include "ui/tools/region_tool.h"
 #include "ui/ui_queue.h"
 #include "ui/view_layout.h"
@@ -70,16 +77,22 @@ class Viewer {
   Document document_{&Window::wake};
   PictureDeveloper developer_;
   Toolbox toolbox_;
-  RenderView view_{window_};
-  ScoutView scout_{window_, *queue_};
+  DisplayScene display_{*queue_};
+  Comparison comparison_{document_, *queue_};
+  RenderView view_{window_, display_, comparison_};
+  ScoutView scout_{window_, display_};
   Exporter exporter_;
   CheckpointSaver checkpoints_;
+  GuideSaver guide_saver_{document_, *queue_};
+  Harvester harvester_{document_, *queue_};
   Opener opener_;
   std::function<void(double seconds)> on_frame_;
   RecentFiles recent_;
+  FirstHint first_hint_{std::filesystem::path(RecentFiles::default_path()).parent_path().string()};
   FileDialog file_dialog_;
   Layout layout_;
   ViewLayout views_;
+  Tabs tabs_;
   std::string title_;
   bool panels_shown_ = true;
   bool inspector_shown_ = true;
@@ -124,8 +137,13 @@ void Viewer::run() {
     wait_for_next_frame(frame_began);
     frame_began = Clock::now();
     queue_->run();
+    if (!ImGui::IsAnyMouseDown()) document_.seal_edits();
     document_.update(frame_began);
     checkpoints_.update(frame_began);
+    guide_saver_.update(frame_began);
+    harvester_.update(panels_shown_ && tabs_.shown() == Tabs::Guides);
+    display_.update(document_);
+    comparison_.update(frame_began);
     if (document_.picture()) {
       developer_.request(document_.picture(), document_.view().layer, document_.view().current());
     }
@@ -146,7 +164,7 @@ void Viewer::wait_for_next_frame(Clock::time_point last_frame) {
 }
 
 double Viewer::seconds_to_sleep() const {
-  if (document_.restart_pending()) return kBriefSleep;
+  if (document_.restart_pending() || guide_saver_.pending()) return kBriefSleep;
   const bool calm = document_.messages().shown().empty() && !ImGui::GetIO().WantTextInput;
   return calm ? kLongSleep : kShortSleep;
 }
@@ -165,7 +183,7 @@ void Viewer::draw_frame() {
   float menu_height = 0;
   if (panels_shown_) {
     draw_menu_bar(
-        recent_, act, [this](const std::string& path) { opener_.open(path); }, views_);
+        document_, recent_, act, [this](const std::string& path) { opener_.open(path); }, views_);
     menu_height = ImGui::GetFrameHeight();
   }
   layout_.update(panels_shown_, menu_height);
@@ -190,6 +208,10 @@ void Viewer::draw_views() {
   if (views_.shows_render()) {
     begin_area("view", views_.render(), Padding::None, palette::kBackdrop);
     view_.draw(document_, toolbox_);
+    if (document_.has_scene() && document_.guides()->empty()) {
+      first_hint_.draw(*ImGui::GetWindowDrawList(), from_imgui(views_.render().corner),
+                       views_.render().size.x);
+    }
     ImGui::End();
   }
   if (views_.shows_scout()) {
@@ -212,9 +234,27 @@ void Viewer::draw_panels() {
   ImGui::End();
 
   begin_area("right", layout_.right(), Padding::Panel, palette::kPanel);
-  draw_image_panel(document_, act);
-  draw_histogram_panel(document_, view_.picture().get());
-  if (inspector_shown_) draw_inspector_panel(document_, view_.hovered_pixel());
+  if (tabs_.begin()) {
+    if (tabs_.tab(Tabs::Image)) {
+      draw_image_panel(document_, act);
+      draw_histogram_panel(document_, view_.picture().get());
+      if (inspector_shown_) draw_inspector_panel(document_, view_.hovered_pixel());
+      ImGui::EndTabItem();
+    }
+    if (tabs_.tab(Tabs::Guides)) {
+      draw_guides_panel(document_, toolbox_.holds<GuideTool>(), guide_saver_.path(), act);
+      ImGui::EndTabItem();
+    }
+    if (tabs_.tab(Tabs::Photons)) {
+      draw_photons_panel(document_, display_.powers());
+      ImGui::EndTabItem();
+    }
+    if (tabs_.tab(Tabs::Compare)) {
+      draw_compare_panel(document_, comparison_, act);
+      ImGui::EndTabItem();
+    }
+    ImGui::EndTabBar();
+  }
   ImGui::End();
 
   begin_area("status", layout_.status(), Padding::Bar, palette::kPanel);
@@ -242,6 +282,7 @@ void Viewer::choose_file(FileRequest request, std::function<void(const std::stri
 }
 
 void Viewer::perform(Action action) {
+  if (!why_disabled(action, document_).empty()) return;
   DisplaySettings& display = document_.view().current();
   switch (action) {
     case Action::OpenScene:
@@ -300,6 +341,43 @@ void Viewer::perform(Action action) {
       }
       break;
     }
+    case Action::Undo:
+      document_.undo();
+      break;
+    case Action::Redo:
+      document_.redo();
+      break;
+    case Action::NewGuide:
+      first_hint_.dismiss();
+      if (toolbox_.holds<GuideTool>()) {
+        toolbox_.use_default();
+      } else {
+        toolbox_.use(std::make_unique<GuideTool>());
+        document_.guide_view().shown = true;
+        tabs_.show(Tabs::Guides);
+      }
+      break;
+    case Action::ShowGuides:
+      document_.guide_view().shown = !document_.guide_view().shown;
+      break;
+    case Action::KeepPath: {
+      const Harvest& harvest = document_.harvest();
+      add_guide(document_, harvest.paths[harvest.selected.value_or(0)].guide, "kept light path");
+      break;
+    }
+    case Action::DuplicateGuide:
+      duplicate_guide(document_, *document_.guide_view().selected);
+      break;
+    case Action::DeleteGuide:
+      delete_guide(document_, *document_.guide_view().selected);
+      break;
+    case Action::ShowPhotons: {
+      PhotonView photons = document_.photon_view();
+      photons.shown = !photons.shown;
+      document_.set_photon_view(photons);
+      if (photons.shown) tabs_.show(Tabs::Photons);
+      break;
+    }
     case Action::CycleViews:
       views_.cycle();
       break;
@@ -341,7 +419,21 @@ void Viewer::perform(Action action) {
       display.show_clipped = !display.show_clipped;
       break;
     case Action::Inspector:
-      inspector_shown_ = !inspector_shown_;
+      inspector_shown_ = !inspector_shown_ || tabs_.shown() != Tabs::Image;
+      tabs_.show(Tabs::Image);
+      break;
+    case Action::LoadReference:
+      choose_file(
+          load_reference_request(),
+          [this](const std::string& path) {
+            comparison_.load_reference(path);
+            tabs_.show(Tabs::Compare);
+          },
+          current_folder());
+      break;
+    case Action::PinPicture:
+      comparison_.pin();
+      tabs_.show(Tabs::Compare);
       break;
     case Action::ZoomFit:
       view_.transform().fit();
@@ -367,7 +459,9 @@ void Viewer::perform(Action action) {
 void Viewer::show_new_scene() {
   toolbox_.use_default();
   view_.transform().fit();
+  display_.show(document_.opened().scene);
   scout_.show(document_);
+  comparison_.forget();
   try {
     recent_.add(document_.opened().path);
   } catch (const std::exception& error) {

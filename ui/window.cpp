@@ -110,6 +110,13 @@ void Window::install_callbacks() {
   glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int code, int action, int modifiers) {
     window_of(handle).take_key({key, code, modifiers}, action);
   });
+  glfwSetCursorPosCallback(window_, [](GLFWwindow* handle, double x, double y) {
+    window_of(handle).mouse_ = {x, y};
+  });
+  glfwSetMouseButtonCallback(window_,
+                             [](GLFWwindow* handle, int button, int action, int modifiers) {
+                               window_of(handle).take_button(button, action, modifiers);
+                             });
   glfwSetDropCallback(window_, [](GLFWwindow* handle, int count, const char** paths) {
     Window& window = window_of(handle);
     if (window.on_drop) window.on_drop(std::vector<std::string>(paths, paths + count));
@@ -139,6 +146,11 @@ void Window::release_late_keys() {
     ImGui_ImplGlfw_KeyCallback(window_, key.key, key.code, GLFW_RELEASE, key.modifiers);
   }
   late_releases_.clear();
+}
+
+void Window::take_button(int button, int action, int modifiers) {
+  if (button < kButtons) (action == GLFW_PRESS ? presses_ : releases_)[button] = mouse_;
+  ImGui_ImplGlfw_MouseButtonCallback(window_, button, action, modifiers);
 }
 
 bool Window::should_close() const { return glfwWindowShouldClose(window_); }

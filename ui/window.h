@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "renderer/image/image.h"
+#include "renderer/math/vector.h"
 
 struct GLFWwindow;
 
@@ -43,6 +45,10 @@ class Window {
   std::function<void(std::vector<std::string>)> on_drop;
 
   bool key_down(int key) const;
+  /// Where a mouse button (GLFW's and ImGui's number) was pressed or released last [pixels]. ImGui
+  /// knows only where the mouse is when a frame begins, which may be elsewhere by then.
+  Vec2 press_position(int button) const { return presses_[button]; }
+  Vec2 release_position(int button) const { return releases_[button]; }
   /// GLFW_MOD_ bits held at the moment.
   int modifiers() const;
 
@@ -55,10 +61,15 @@ class Window {
   void install_callbacks();
   void take_key(const Key& key, int action);
   void release_late_keys();
+  void take_button(int button, int action, int modifiers);
 
   GLFWwindow* window_ = nullptr;
   float scale_ = 1;
   bool scale_changed_ = true;
+  static constexpr int kButtons = 8;
+  Vec2 mouse_{0};  // as of the last event
+  std::array<Vec2, kButtons> presses_{};
+  std::array<Vec2, kButtons> releases_{};
   std::vector<Key> pressed_;        // since the last frame
   std::vector<Key> late_releases_;  // that ImGui learns after the next
 };

@@ -100,7 +100,7 @@ float Filter::eval_axis(float x) const {
   if (settings_.kind == FilterKind::Box || settings_.kind == FilterKind::Tent) return exact_axis(x);
   const float cell = x / radius_ * kTableSize;
   const int i = static_cast<int>(cell);
-  return std::lerp(values_[i], values_[i + 1], cell - static_cast<float>(i));
+  return glm::mix(values_[i], values_[i + 1], cell - static_cast<float>(i));
 }
 
 float Filter::eval(Vec2 offset) const { return eval_axis(offset.x) * eval_axis(offset.y); }

@@ -94,10 +94,18 @@ float GapTable::probability(int from_light, int from_eye, int new_size) const {
   return distribution_.pmf(i) * cut.sizes.pmf(which);
 }
 
+/// Whether a vertex drawn from the light's (the eye's) side has no other place to be.
+bool is_forced_from_light(const Path& path, int i) {
+  return i == 0 ? path.light->is_delta() : !path.is_finite(i - 1);
+}
+bool is_forced_from_eye(const Scene& scene, const Path& path, int i) {
+  return i == path.length() ? scene.camera().has_pinhole() : !path.is_finite(i + 1);
+}
+
 class BidirectionalMutation : public Mutation {
  public:
   BidirectionalMutation(const Scene& scene, const PathLengths& lengths)
-      : sampler_(scene), min_size_(lengths.min + 1) {
+      : scene_(scene), sampler_(scene), min_size_(lengths.min + 1) {
     for (int length = lengths.min; length <= lengths.max; ++length) {
       tables_.emplace_back(length + 1, lengths);
     }
@@ -112,17 +120,20 @@ class BidirectionalMutation : public Mutation {
     return sampler_.fill(gap, y, rng);
   }
 
-  /// Over all gaps that y could have filled: those around what the paths do not share.
+  /// Over all gaps whose filling makes y: those between what the paths share. A smaller kept part
+  /// would have to draw a shared vertex anew, which has no density in the measure of the others,
+  /// but for vertices that cannot turn out otherwise.
   double density(const Path& x, const Path& y) const override {
-    const int from_light = shared_from_light(x, y);
-    const int from_eye = shared_from_eye(x, y);
+    const int shared_with_eye = shared_from_eye(x, y);
     double sum = 0;
-    for (int i = 0; i <= from_light; ++i) {
-      for (int j = 0; j <= from_eye; ++j) {
+    for (int i = shared_from_light(x, y); i >= 0; --i) {
+      for (int j = shared_with_eye; j >= 0; --j) {
         const Gap gap{i, y.size() - i - j, j};
         const float probability = table(x).probability(i, j, y.size());
         if (probability > 0 && gap.is_possible()) sum += probability * sampler_.density(gap, y);
+        if (j > 0 && !is_forced_from_eye(scene_, y, y.size() - j)) break;
       }
+      if (i > 0 && !is_forced_from_light(y, i - 1)) break;
     }
     return sum;
   }
@@ -130,6 +141,7 @@ class BidirectionalMutation : public Mutation {
  private:
   const GapTable& table(const Path& x) const { return tables_[x.size() - min_size_]; }
 
+  const Scene& scene_;
   BidirectionalSampler sampler_;
   int min_size_;
   std::vector<GapTable> tables_;  // by the number of vertices

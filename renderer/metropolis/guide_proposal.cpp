@@ -65,15 +65,19 @@ bool GuideProposal::follow(uint32_t guide, Path& y, Rng& rng) const {
 }
 
 double GuideProposal::density(const Path& x, const Path& y) const {
-  double sum = 0;
+  // As of the bidirectional mutation: what the paths share was kept, nothing more.
   const int k = y.length();
-  if (k >= 2 && y.is_finite(k - 1)) {
+  const int shared = shared_from_eye(x, y);
+  if (shared_from_light(x, y) > (y.light->is_delta() ? 1 : 0)) return 0;
+  double sum = 0;
+  const bool is_seen = k >= 2 && y.is_finite(k - 1);
+  if (is_seen && shared <= (scene_.camera().has_pinhole() ? 1 : 0)) {
     sum += kStraightToLens * prefix_pdf(y, k - 1) * y.pdf_from_eye(k);
   }
   const int kept = kept_from_eye(x);
   const int segments = y.size() - kept - 1;
-  const bool is_joined = segments >= 1 && kept > 0 && y.is_finite(segments) &&
-                         y.is_finite(segments + 1) && shared_from_eye(x, y) >= kept;
+  const bool is_joined = segments >= 1 && kept > 0 && shared == kept && y.is_finite(segments) &&
+                         y.is_finite(segments + 1);
   if (is_joined) sum += (1 - kStraightToLens) * prefix_pdf(y, segments);
   return sum;
 }

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "renderer/parallel/prefetch.h"
 #include "renderer/photons/hashed_cells.h"
 
 namespace guidelight {
@@ -18,7 +19,16 @@ class HashGrid {
   HashGrid() = default;
   /// `cell_side` is about twice the usual radius: a query then touches at most 8 cells. Any value
   /// works, some are slow.
-  HashGrid(std::span<const Item> items, float cell_side, Parallel& parallel);
+  HashGrid(std::span<const Item> items, float cell_side, Parallel& parallel) {
+    rebuild(items, cell_side, parallel);
+  }
+  /// The same in the memory of the grid before.
+  void rebuild(std::span<const Item> items, float cell_side, Parallel& parallel);
+
+  /// Asks for the memory that a search of the usual radius will read. To be called twice, with time
+  /// between, because the second needs the first: where the cells begin, then (`items`) what they
+  /// hold.
+  void prefetch(Vec3 center, bool items) const;
 
   /// Calls visit(item, squared distance) once for each item nearer to `center` than `radius`, in an
   /// order that does not depend on threads.
@@ -28,31 +38,61 @@ class HashGrid {
   /// All items, sorted; those with a position that is not finite come last.
   std::span<const Item> items() const { return items_; }
   size_t bytes() const {
-    return items_.capacity() * sizeof(Item) + begin_.capacity() * sizeof(uint32_t);
+    return items_.capacity() * sizeof(Item) + entries_.capacity() * sizeof(uint32_t) +
+           sorter_.bytes();
   }
 
  private:
+  /// Calls visit(first, last) for the ranges of entries that a ball meets, unless it meets more
+  /// rows of cells than there are items.
+  template <class Visit>
+  void for_each_range(Vec3 center, float radius, Visit&& visit) const;
+
   HashedCells cells_;
   std::vector<Item> items_;
-  std::vector<uint32_t> begin_;  // entry i of the table holds items_[begin_[i], begin_[i+1])
+  std::vector<uint32_t> entries_;  // of the items, before they are sorted
+  EntrySorter sorter_;             // entry i of the table holds items_[begin()[i], begin()[i+1])
 };
 
 // ---------------------------------------------------------------------------------------------------
 
 template <class Item>
-HashGrid<Item>::HashGrid(std::span<const Item> items, float cell_side, Parallel& parallel) {
+void HashGrid<Item>::rebuild(std::span<const Item> items, float cell_side, Parallel& parallel) {
   const auto position = [&](size_t i) { return items[i].position; };
   cells_ = HashedCells(finite_bounds(items.size(), position, parallel), cell_side, items.size());
 
-  std::vector<uint32_t> entries(items.size());
+  entries_.resize(items.size());
   for_each_chunk(items.size(), parallel, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) entries[i] = cells_.entry_of(items[i].position);
+    for (size_t i = begin; i < end; ++i) entries_[i] = cells_.entry_of(items[i].position);
   });
-  SortedEntries sorted = sort_by_entry(entries, cells_.table_size() + 1, parallel);
-  begin_ = std::move(sorted.begin);
+  sorter_.sort(entries_, cells_.table_size() + 1, parallel);
   items_.resize(items.size());
   for_each_chunk(items.size(), parallel, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) items_[i] = items[sorted.order[i]];
+    for (size_t i = begin; i < end; ++i) items_[i] = items[sorter_.order()[i]];
+  });
+}
+
+template <class Item>
+template <class Visit>
+void HashGrid<Item>::for_each_range(Vec3 center, float radius, Visit&& visit) const {
+  const auto range = cells_.overlapped(center, radius);
+  if (!range || range->row_count() > items_.size()) return;
+  for (int z = range->first.z; z <= range->last.z; ++z) {
+    for (int y = range->first.y; y <= range->last.y; ++y) {
+      cells_.for_each_range(range->first.x, range->last.x, y, z, visit);
+    }
+  }
+}
+
+template <class Item>
+void HashGrid<Item>::prefetch(Vec3 center, bool items) const {
+  const auto begin = sorter_.begin();
+  for_each_range(center, 0.5f * cells_.side(), [&](uint32_t first, uint32_t last) {
+    if (!items) return guidelight::prefetch(&begin[first]);
+    constexpr uint32_t kItems = 8;  // enough to start on
+    constexpr uint32_t kPerLine = std::max<size_t>(1, 64 / sizeof(Item));
+    const uint32_t end = std::min(begin[last], begin[first] + kItems);
+    for (uint32_t i = begin[first]; i < end; i += kPerLine) guidelight::prefetch(&items_[i]);
   });
 }
 
@@ -83,7 +123,7 @@ void HashGrid<Item>::for_each_within(Vec3 center, float radius, Visit&& visit) c
   const auto range = cells_.overlapped(center, radius);
   if (!range) return;
   if (range->row_count() > items_.size()) {
-    scan(0, begin_[cells_.table_size()], [](Vec3) { return true; });
+    scan(0, sorter_.begin()[cells_.table_size()], [](Vec3) { return true; });
     return;
   }
   for (int z = range->first.z; z <= range->last.z; ++z) {
@@ -93,9 +133,10 @@ void HashGrid<Item>::for_each_within(Vec3 center, float radius, Visit&& visit) c
         const HashedCells::Cell cell = cells_.cell(p);
         return cell.y == y && cell.z == z;
       };
-      cells_.for_each_range(
-          range->first.x, range->last.x, y, z,
-          [&](uint32_t first, uint32_t last) { scan(begin_[first], begin_[last], belongs); });
+      cells_.for_each_range(range->first.x, range->last.x, y, z,
+                            [&](uint32_t first, uint32_t last) {
+                              scan(sorter_.begin()[first], sorter_.begin()[last], belongs);
+                            });
     }
   }
 }

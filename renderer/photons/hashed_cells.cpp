@@ -15,8 +15,7 @@ HashedCells::HashedCells(const Bounds& bounds, float side, size_t items) : bound
   const bool is_usable = inverse_side_ > 0 && std::isfinite(inverse_side_);
   if (!is_usable) inverse_side_ = 1;  // everything is in one place, or far beyond any scene
   last_ = Cell(glm::min(extent * inverse_side_, Vec3(kMaxCells)));
-  // Photons lie on surfaces, several in a cell: most entries of a larger table would be empty.
-  const size_t entries = std::clamp<size_t>(items / 4, 1, size_t{1} << 30);
+  const size_t entries = std::clamp<size_t>(items, 1, size_t{1} << 30);
   mask_ = static_cast<uint32_t>(std::bit_ceil(entries) - 1);
 }
 
@@ -64,76 +63,73 @@ Bounds finite_bounds(size_t count, const std::function<Vec3(size_t)>& position,
 
 namespace {
 
-struct Item {
-  uint32_t entry;
-  uint32_t index;
-};
+// Counting sort in two steps, because a table of counters for each thread would not fit into its
+// cache: first by the high bits, then every bucket on its own.
+constexpr int kEntryBits = 10;
+constexpr uint32_t kBucketEntries = 1u << kEntryBits;
 
-/// Items by the high bits of their entry, stable: bucket i is items[begin[i], begin[i+1]).
-struct Buckets {
-  std::vector<uint32_t> begin;
-  std::vector<Item> items;
-};
+}  // namespace
 
-Buckets sort_into_buckets(std::span<const uint32_t> entry_of_item, uint32_t bucket_count,
-                          int entry_bits, Parallel& parallel) {
+void EntrySorter::sort_into_buckets(std::span<const uint32_t> entry_of_item, uint32_t bucket_count,
+                                    Parallel& parallel) {
   const size_t chunks = chunk_count(entry_of_item.size());
   std::vector<uint32_t> counts(chunks * bucket_count);  // by chunk, then bucket
   for_each_chunk(entry_of_item.size(), parallel, [&](size_t begin, size_t end) {
     uint32_t* count = &counts[begin / kChunk * bucket_count];
-    for (size_t i = begin; i < end; ++i) ++count[entry_of_item[i] >> entry_bits];
+    for (size_t i = begin; i < end; ++i) ++count[entry_of_item[i] >> kEntryBits];
   });
 
-  Buckets buckets{std::vector<uint32_t>(bucket_count + 1), std::vector<Item>(entry_of_item.size())};
+  bucket_begin_.resize(bucket_count + 1);
+  items_.resize(entry_of_item.size());
   uint32_t sum = 0;
   for (uint32_t bucket = 0; bucket < bucket_count; ++bucket) {
-    buckets.begin[bucket] = sum;
+    bucket_begin_[bucket] = sum;
     for (size_t chunk = 0; chunk < chunks; ++chunk) {
       sum += std::exchange(counts[chunk * bucket_count + bucket], sum);
     }
   }
-  buckets.begin[bucket_count] = sum;
+  bucket_begin_[bucket_count] = sum;
 
   for_each_chunk(entry_of_item.size(), parallel, [&](size_t begin, size_t end) {
     uint32_t* next = &counts[begin / kChunk * bucket_count];
     for (size_t i = begin; i < end; ++i) {
       const uint32_t entry = entry_of_item[i];
-      buckets.items[next[entry >> entry_bits]++] = {entry, static_cast<uint32_t>(i)};
+      items_[next[entry >> kEntryBits]++] = {entry, static_cast<uint32_t>(i)};
     }
   });
-  return buckets;
 }
 
-}  // namespace
+void EntrySorter::sort_bucket(uint32_t bucket, uint32_t entry_count) {
+  std::array<uint32_t, kBucketEntries> next{};
+  const std::span items(items_.begin() + bucket_begin_[bucket],
+                        items_.begin() + bucket_begin_[bucket + 1]);
+  for (const Item& item : items) ++next[item.entry % kBucketEntries];
+  uint32_t sum = bucket_begin_[bucket];
+  const uint32_t first_entry = bucket * kBucketEntries;
+  const uint32_t end_entry = std::min(first_entry + kBucketEntries, entry_count);
+  for (uint32_t entry = first_entry; entry < end_entry; ++entry) {
+    uint32_t& begin = next[entry - first_entry];
+    begin_[entry] = sum;
+    sum += std::exchange(begin, sum);
+  }
+  for (const Item& item : items) order_[next[item.entry % kBucketEntries]++] = item.index;
+}
 
-SortedEntries sort_by_entry(std::span<const uint32_t> entry_of_item, uint32_t entry_count,
-                            Parallel& parallel) {
-  // Counting sort in two steps, because a table of counters for each thread would not fit into
-  // its cache: first by the high bits, then every bucket on its own.
-  constexpr int kEntryBits = 10;
-  constexpr uint32_t kBucketEntries = 1u << kEntryBits;
+void EntrySorter::sort(std::span<const uint32_t> entry_of_item, uint32_t entry_count,
+                       Parallel& parallel) {
   const uint32_t bucket_count = (entry_count + kBucketEntries - 1) / kBucketEntries;
-  const Buckets buckets = sort_into_buckets(entry_of_item, bucket_count, kEntryBits, parallel);
-
-  SortedEntries sorted{std::vector<uint32_t>(entry_count + 1),
-                       std::vector<uint32_t>(entry_of_item.size())};
+  sort_into_buckets(entry_of_item, bucket_count, parallel);
+  begin_.resize(entry_count + 1);
+  order_.resize(entry_of_item.size());
   parallel.for_each(bucket_count, [&](size_t bucket) {
-    std::array<uint32_t, kBucketEntries> next{};
-    const std::span items(buckets.items.begin() + buckets.begin[bucket],
-                          buckets.items.begin() + buckets.begin[bucket + 1]);
-    for (const Item& item : items) ++next[item.entry % kBucketEntries];
-    uint32_t sum = buckets.begin[bucket];
-    const auto first_entry = static_cast<uint32_t>(bucket) * kBucketEntries;
-    const uint32_t end_entry = std::min(first_entry + kBucketEntries, entry_count);
-    for (uint32_t entry = first_entry; entry < end_entry; ++entry) {
-      uint32_t& begin = next[entry - first_entry];
-      sorted.begin[entry] = sum;
-      sum += std::exchange(begin, sum);
-    }
-    for (const Item& item : items) sorted.order[next[item.entry % kBucketEntries]++] = item.index;
+    sort_bucket(static_cast<uint32_t>(bucket), entry_count);
   });
-  sorted.begin[entry_count] = static_cast<uint32_t>(entry_of_item.size());
-  return sorted;
+  begin_[entry_count] = static_cast<uint32_t>(entry_of_item.size());
+}
+
+size_t EntrySorter::bytes() const {
+  return (begin_.capacity() + order_.capacity() + bucket_begin_.capacity()) * sizeof(uint32_t) +
+         items_.capacity() * sizeof(Item);
 }
 
 }  // namespace guidelight

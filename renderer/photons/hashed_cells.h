@@ -27,6 +27,7 @@ class HashedCells {
     return Cell(glm::clamp((p - bounds_.lower) * inverse_side_, Vec3(0.0f), Vec3(last_)));
   }
 
+  float side() const { return 1 / inverse_side_; }
   uint32_t table_size() const { return mask_ + 1; }
   /// Entry of the table for a point of the box; table_size() if the point is not finite.
   uint32_t entry_of(Vec3 p) const {
@@ -77,12 +78,34 @@ void for_each_chunk(size_t count, Parallel& parallel,
 /// Box of the positions(i), i < count, that are finite.
 Bounds finite_bounds(size_t count, const std::function<Vec3(size_t)>& position, Parallel& parallel);
 
-struct SortedEntries {
-  std::vector<uint32_t> begin;  // where each entry's items begin in `order`; and the end
-  std::vector<uint32_t> order;  // indices of items
+/// Sorts items by their entry in a table; keeps its memory from one sort to the next.
+class EntrySorter {
+ public:
+  /// Stable sort of items by their entry, each below `entry_count`.
+  void sort(std::span<const uint32_t> entry_of_item, uint32_t entry_count, Parallel& parallel);
+
+  /// Where each entry's items begin in `order`; and the end.
+  std::span<const uint32_t> begin() const { return begin_; }
+  /// Indices of items.
+  std::span<const uint32_t> order() const { return order_; }
+  size_t bytes() const;
+
+ private:
+  struct Item {
+    uint32_t entry;
+    uint32_t index;
+  };
+
+  void sort_into_buckets(std::span<const uint32_t> entry_of_item, uint32_t bucket_count,
+                         Parallel& parallel);
+  void sort_bucket(uint32_t bucket, uint32_t entry_count);
+
+  std::vector<uint32_t> begin_;
+  std::vector<uint32_t> order_;
+  // Items by the high bits of their entry, stable: bucket i is items_[bucket_begin_[i],
+  // bucket_begin_[i+1]).
+  std::vector<uint32_t> bucket_begin_;
+  std::vector<Item> items_;
 };
-/// Stable sort of items by their entry, each below `entry_count`.
-SortedEntries sort_by_entry(std::span<const uint32_t> entry_of_item, uint32_t entry_count,
-                            Parallel& parallel);
 
 }  // namespace guidelight

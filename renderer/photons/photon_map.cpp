@@ -33,7 +33,9 @@ Color PhotonMap::radiance(const PathVertex& vertex, const Scattering& scattering
   const SurfacePoint& point = vertex.point;
   Buffer buffer;
   const Neighbors neighbors =
-      tree_.nearest(point.position, settings.neighbors, settings.max_distance, buffer);
+      settings.oversearch > 1
+          ? nearest_on_surface(point, settings, buffer)
+          : tree_.nearest(point.position, settings.neighbors, settings.max_distance, buffer);
   Color sum(0.0f);
   for (const Neighbor& neighbor : neighbors.found) {
     const SurfacePhoton& photon = tree_.items()[neighbor.index];
@@ -51,6 +53,37 @@ Color PhotonMap::radiance(const PathVertex& vertex, const Scattering& scattering
             cosine);
   }
   return sum;
+}
+
+Color PhotonMap::radiosity(const PathVertex& vertex, const EstimateSettings& settings) const {
+  Buffer buffer;
+  const Neighbors neighbors = nearest_on_surface(vertex.point, settings, buffer);
+  Color sum(0.0f);
+  for (const Neighbor& neighbor : neighbors.found) {
+    sum += tree_.items()[neighbor.index].power() *
+           kernel_value(settings.kernel, neighbor.distance_squared, neighbors.radius_squared);
+  }
+  return sum;
+}
+
+Neighbors PhotonMap::nearest_on_surface(const SurfacePoint& point, const EstimateSettings& settings,
+                                        std::span<Neighbor> buffer) const {
+  const size_t k = settings.neighbors;
+  const size_t searched = std::min(k * settings.oversearch, buffer.size());
+  Neighbors result = tree_.nearest(point.position, searched, settings.max_distance, buffer);
+  const auto begin = buffer.begin();
+  const auto end = std::partition(begin, begin + result.found.size(), [&](const Neighbor& n) {
+    return is_same_surface(tree_.items()[n.index].normal(), point.geometric_normal);
+  });
+  const auto count = static_cast<size_t>(end - begin);
+  if (count >= k) {
+    std::nth_element(begin, begin + (k - 1), end, [](const Neighbor& a, const Neighbor& b) {
+      return a.distance_squared < b.distance_squared;
+    });
+    result.radius_squared = buffer[k - 1].distance_squared;
+  }
+  result.found = buffer.first(std::min(count, k));
+  return result;
 }
 
 Color PhotonMap::irradiance(Vec3 position, Vec3 normal, const EstimateSettings& settings,

@@ -31,6 +31,9 @@ struct EstimateSettings {
   int min_length = 1;  // of whole paths [segments]
   int max_length = 0;
   SharpScattering sharp{0};
+  /// Where other surfaces are near, k photons of the same surface are looked for among so many
+  /// times k of any.
+  int oversearch = 1;
 };
 
 /// Photons in the order of a kd-tree, and radiance estimates from the k nearest (Jensen 1996,
@@ -48,12 +51,19 @@ class PhotonMap {
   Color radiance(const PathVertex& vertex, const Scattering& scattering,
                  const EstimateSettings& settings) const;
 
+  /// Power per area of the photons around a vertex, on either side of its surface.
+  Color radiosity(const PathVertex& vertex, const EstimateSettings& settings) const;
+
   /// Irradiance of a surface on the side of its unit normal, by photons of at most `max_length`
   /// segments that are not is_irradiance_point(); scaled up for those.
   Color irradiance(Vec3 position, Vec3 normal, const EstimateSettings& settings,
                    int max_length) const;
 
  private:
+  /// The photons nearest to a point that lie on a surface of the same direction.
+  Neighbors nearest_on_surface(const SurfacePoint& point, const EstimateSettings& settings,
+                               std::span<Neighbor> buffer) const;
+
   KdTree<SurfacePhoton> tree_;
 };
 

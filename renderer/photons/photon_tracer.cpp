@@ -1,5 +1,6 @@
 #include "renderer/photons/photon_tracer.h"
 
+#include "renderer/parallel/concatenate.h"
 #include "renderer/transport/light_path_batch.h"
 
 namespace guidelight {
@@ -53,13 +54,7 @@ const std::vector<Photon>& PhotonTracer::trace(const Scene& scene, const LightPa
     const size_t first = batch * kBatch;
     trace_batch(scene, paths, first, std::min(first + kBatch, paths.count), batches_[batch]);
   });
-
-  std::vector<size_t> begin(count + 1);
-  for (size_t i = 0; i < count; ++i) begin[i + 1] = begin[i] + batches_[i].size();
-  photons_.resize(begin[count]);
-  parallel.for_each(count, [&](size_t batch) {
-    std::copy(batches_[batch].begin(), batches_[batch].end(), photons_.begin() + begin[batch]);
-  });
+  concatenate(batches_, photons_, parallel);
   return photons_;
 }
 

@@ -51,9 +51,9 @@ class Sphere final : public AnalyticShape {
     set_area(4 * kPi, is_round_ ? 4 * kPi * sqr(radius_) : ellipsoid_area());
   }
 
-  SeenSample sample_seen_from(Vec3 reference, Vec2 u) const override {
+  float sample_seen_from(Vec3 reference, Vec2 u, SurfacePoint& point) const override {
     const Cone cone = cone_from(reference);
-    if (!cone.valid) return Shape::sample_seen_from(reference, u);
+    if (!cone.valid) return Shape::sample_seen_from(reference, u, point);
     // The point where a direction at angle θ in the cone first meets the sphere lies at angle α
     // around the centre: α = asin(d/r·sinθ) - θ.
     const float one_minus_cos = u.x * cone.one_minus_cos_max;
@@ -67,10 +67,8 @@ class Sphere final : public AnalyticShape {
     const Frame frame = Frame::from_normal(cone.axis);
     const Vec3 normal =
         frame.to_world({sin_alpha * std::cos(phi), sin_alpha * std::sin(phi), cos_alpha});
-    SeenSample sample;
-    fill_local(glm::normalize(linear_.inverse * normal), sample.point);
-    sample.pdf_solid_angle = cone.pdf();
-    return sample;
+    fill_local(glm::normalize(linear_.inverse * normal), point);
+    return cone.pdf();
   }
 
   float pdf_seen_from(Vec3 reference, const SurfacePoint& point) const override {
@@ -272,12 +270,10 @@ void AnalyticShape::fill_local(Vec3 local, SurfacePoint& point) const {
   point.offset = kFloatEpsilon * (4 * world_magnitude + 8 * max_component(terms) / stretch);
 }
 
-ShapeSample AnalyticShape::sample_area(Vec2 u) const {
-  ShapeSample sample;
+float AnalyticShape::sample_area(Vec2 u, SurfacePoint& point) const {
   const Vec3 local = sample_local(u);
-  fill_local(local, sample.point);
-  sample.pdf_area = 1 / (local_area_ * area_factor(normal_local(local)));
-  return sample;
+  fill_local(local, point);
+  return 1 / (local_area_ * area_factor(normal_local(local)));
 }
 
 float AnalyticShape::pdf_area(const SurfacePoint& point) const {

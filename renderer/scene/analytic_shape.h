@@ -17,7 +17,7 @@ class AnalyticShape : public Shape {
   bool intersect(const Ray& ray, float t_min, float& t) const;
 
   void fill(const Ray& ray, const Hit& hit, SurfacePoint& point) const override;
-  ShapeSample sample_area(Vec2 u) const override;
+  float sample_area(Vec2 u, SurfacePoint& point) const override;
   float pdf_area(const SurfacePoint& point) const override;
   float area() const override { return area_; }
   Bounds bounds() const override;

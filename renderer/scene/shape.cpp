@@ -29,22 +29,26 @@ LinearTransform::LinearTransform(const Mat4& to_world, const ShapeDescription& d
   determinant = static_cast<float>(det);
 }
 
-Shape::SeenSample Shape::sample_seen_from(Vec3 reference, Vec2 u) const {
-  const ShapeSample sample = sample_area(u);
-  const Vec3 to_reference = reference - sample.point.position;
-  const float squared = length_squared(to_reference);
-  const float cosine =
-      std::abs(glm::dot(sample.point.geometric_normal, to_reference)) / std::sqrt(squared);
-  const float pdf = cosine > 0 && squared > 0 ? sample.pdf_area * squared / cosine : 0.0f;
-  return {sample.point, pdf};
-}
+namespace {
 
-float Shape::pdf_seen_from(Vec3 reference, const SurfacePoint& point) const {
+/// Density per solid angle at `reference` of a point with this density per area.
+float pdf_solid_angle(Vec3 reference, const SurfacePoint& point, float pdf_area) {
   const Vec3 to_reference = reference - point.position;
   const float squared = length_squared(to_reference);
   const float cosine =
       std::abs(glm::dot(point.geometric_normal, to_reference)) / std::sqrt(squared);
-  return cosine > 0 && squared > 0 ? pdf_area(point) * squared / cosine : 0.0f;
+  return cosine > 0 && squared > 0 ? pdf_area * squared / cosine : 0.0f;
+}
+
+}  // namespace
+
+float Shape::sample_seen_from(Vec3 reference, Vec2 u, SurfacePoint& point) const {
+  const float pdf_area = sample_area(u, point);
+  return pdf_solid_angle(reference, point, pdf_area);
+}
+
+float Shape::pdf_seen_from(Vec3 reference, const SurfacePoint& point) const {
+  return pdf_solid_angle(reference, point, pdf_area(point));
 }
 
 std::unique_ptr<Shape> make_shape(const ShapeDescription& description, const Mat4& parent) {

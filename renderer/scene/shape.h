@@ -31,12 +31,6 @@ struct Bounds {
   float radius() const { return 0.5f * glm::length(upper - lower); }
 };
 
-/// A point drawn on a shape's surface.
-struct ShapeSample {
-  SurfacePoint point;  // position, normals, uv, offset and primitive are set
-  float pdf_area;      // per unit area
-};
-
 /// Geometry in world space (in the group's space for shapes of a group). Immutable.
 class Shape {
  public:
@@ -50,19 +44,15 @@ class Shape {
   /// For analytic shapes the position on the ray is projected onto the surface.
   virtual void fill(const Ray& ray, const Hit& hit, SurfacePoint& point) const = 0;
 
-  /// Uniform in area up to the distortion of an analytic shape's own transform, which pdf_area
-  /// carries.
-  virtual ShapeSample sample_area(Vec2 u) const = 0;
+  /// Draws a point, of which it sets position, normals, uv, offset and primitive; returns its
+  /// density per unit area. Uniform up to the distortion of an analytic shape's own transform.
+  virtual float sample_area(Vec2 u, SurfacePoint& point) const = 0;
   /// Density of sample_area at a point of the surface, per unit area.
   virtual float pdf_area(const SurfacePoint& point) const = 0;
 
   /// Draws a point as seen from `reference`; where the shape knows no better way, by sample_area.
-  /// pdf is per solid angle at the reference. Zero pdf means the sample must be dropped.
-  struct SeenSample {
-    SurfacePoint point;
-    float pdf_solid_angle;
-  };
-  virtual SeenSample sample_seen_from(Vec3 reference, Vec2 u) const;
+  /// Returns its density per solid angle at the reference, zero if the point must be dropped.
+  virtual float sample_seen_from(Vec3 reference, Vec2 u, SurfacePoint& point) const;
   /// Density of sample_seen_from, per solid angle at the reference.
   virtual float pdf_seen_from(Vec3 reference, const SurfacePoint& point) const;
 

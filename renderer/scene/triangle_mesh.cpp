@@ -145,12 +145,10 @@ void TriangleMesh::fill(const Ray&, const Hit& hit, SurfacePoint& point) const {
   fill_triangle(hit.primitive, hit.barycentric, point);
 }
 
-ShapeSample TriangleMesh::sample_area(Vec2 u) const {
+float TriangleMesh::sample_area(Vec2 u, SurfacePoint& point) const {
   const auto triangle = triangle_distribution_.sample(u.x);
-  ShapeSample sample;
-  fill_triangle(triangle.index, square_to_triangle({triangle.remapped, u.y}), sample.point);
-  sample.pdf_area = inverse_area_;
-  return sample;
+  fill_triangle(triangle.index, square_to_triangle({triangle.remapped, u.y}), point);
+  return inverse_area_;
 }
 
 void TriangleMesh::fill_triangle(uint32_t triangle, Vec2 barycentric, SurfacePoint& point) const {

@@ -27,7 +27,7 @@ class TriangleMesh final : public Shape {
   std::span<const std::array<uint32_t, 3>> triangles() const { return mesh_->triangles; }
 
   void fill(const Ray& ray, const Hit& hit, SurfacePoint& point) const override;
-  ShapeSample sample_area(Vec2 u) const override;
+  float sample_area(Vec2 u, SurfacePoint& point) const override;
   float pdf_area(const SurfacePoint&) const override { return inverse_area_; }
   float area() const override { return area_; }
   Bounds bounds() const override { return bounds_; }

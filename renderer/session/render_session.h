@@ -17,6 +17,8 @@ struct RenderTargets {
   uint32_t passes = 0;
   double seconds = 0;
   double relative_error = 0;  // Film::estimated_relative_error
+
+  bool operator==(const RenderTargets&) const = default;
 };
 
 /// Where a render stands between two passes: enough to go on with it later.

@@ -20,7 +20,10 @@ namespace guidelight {
 ///   bool visit(uint32_t index, Subpath& path, const PathVertex& vertex,
 ///              const Scattering& scattering)             false ends the path here
 ///   void end_segment()                                   all paths of the batch have been visited
-/// where `index` is the path's in the batch; path.rng may be drawn from.
+/// where `index` is the path's in the batch; path.rng may be drawn from. It may have, too,
+///   void expect(Vec3 position, bool soon)
+/// which is called twice before a visit, some and few visits ahead, so that what it will read can
+/// be fetched.
 class RandomWalk {
  public:
   /// `weights` must outlive this.
@@ -31,6 +34,9 @@ class RandomWalk {
   void run(std::span<Subpath> paths, Visitor& visitor);
 
  private:
+  /// Calls visitor.expect, if there is one, for paths that come after the i-th of the active ones.
+  template <typename Visitor>
+  void announce(size_t i, size_t count, Visitor& visitor) const;
   /// The vertex at the end of the segment.
   PathVertex arrive(const Subpath& path, const Hit& hit) const;
   /// How the path goes on from the vertex; empty if it ends.
@@ -59,6 +65,17 @@ EscapePartials escape_partials(const Subpath& path);
 float survival_probability(const SurfacePoint& point);
 
 template <typename Visitor>
+void RandomWalk::announce(size_t i, size_t count, Visitor& visitor) const {
+  if constexpr (requires { visitor.expect(Vec3(), true); }) {
+    for (const size_t ahead : {16, 8}) {
+      const size_t next = i + ahead;
+      if (next >= count || !hits_[next].valid()) continue;
+      visitor.expect(rays_[next].origin + hits_[next].t * rays_[next].direction, ahead == 8);
+    }
+  }
+}
+
+template <typename Visitor>
 void RandomWalk::run(std::span<Subpath> paths, Visitor& visitor) {
   active_.resize(paths.size());
   rays_.resize(paths.size());
@@ -69,6 +86,7 @@ void RandomWalk::run(std::span<Subpath> paths, Visitor& visitor) {
     scene_.intersect({rays_.data(), count}, {hits_.data(), count});
     size_t survivors = 0;
     for (size_t i = 0; i < count; ++i) {
+      announce(i, count, visitor);
       const uint32_t index = active_[i];
       Subpath& path = paths[index];
       if (!hits_[i].valid()) {

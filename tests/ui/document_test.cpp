@@ -22,7 +22,7 @@ class DocumentTest : public ::testing::Test {
   void open_room(int width = 24, int height = 16) {
     SceneDescription room = testing::room(width, height);
     room.path = "/scenes/room/scene.xml";
-    document_.open({room.path, {}, testing::build(std::move(room))});
+    document_.open({room.path, {}, testing::build(std::move(room)), {}, {}});
   }
 
   /// Frames of the window until the condition holds; false if it does not within ten seconds.

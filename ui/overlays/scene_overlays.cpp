@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "ui/overlays/guide_overlay.h"
 #include "ui/overlays/world_painter.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -16,7 +17,30 @@ constexpr ImU32 kCameraMark = IM_COL32(120, 190, 255, 255);
 
 }  // namespace
 
-void draw_overlays(const Document&, const ToolView&, ImDrawList&) {}
+namespace {
+
+/// Around what the inspected pixel sees: the disc whose photons its estimate counts.
+void draw_gather_disc(const Document& document, const ToolView& view, ImDrawList& list) {
+  const auto history = document.pixel_history();
+  const auto& pixel = document.view().inspected_pixel;
+  if (!document.photon_view().shown || !pixel || history.empty()) return;
+  const auto scene = document.current_scene();
+  const Ray ray = scene->camera().sample_ray(Vec2(*pixel) + 0.5f, Vec2(0.5f)).ray;
+  const Hit hit = scene->intersect(ray);
+  if (!hit.valid()) return;
+  const SurfacePoint point = scene->surface_point(ray, hit);
+  WorldPainter(*scene, view, list)
+      .circle(point.position, point.geometric_normal, history.back().radius, palette::kText,
+              scaled(1.5f));
+}
+
+}  // namespace
+
+void draw_overlays(const Document& document, const ToolView& view, ImDrawList& list) {
+  draw_gather_disc(document, view, list);
+  draw_harvest(document, view, list);
+  draw_guides(document, view, list);
+}
 
 void draw_lights(const Scene& scene, const ToolView& view, ImDrawList& list) {
   WorldPainter painter(scene, view, list);

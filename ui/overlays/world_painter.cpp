@@ -10,7 +10,8 @@
 namespace guidelight {
 namespace {
 
-constexpr float kHidden = 0.28f;       // opacity of what is hidden
+constexpr float kShade = 0.4f;    // opacity of the dark rim that keeps lines apart from any picture
+constexpr float kHidden = 0.28f;  // opacity of what is hidden
 constexpr float kPixelsPerPiece = 10;  // of a line that is drawn as visible or hidden
 constexpr int kMostPieces = 64;
 constexpr float kShortOfThePoint = 1e-3f;  // marks lie on surfaces, which must not hide them
@@ -63,7 +64,8 @@ void WorldPainter::line(Vec3 a, Vec3 b, ImU32 color, float thickness) {
     const auto q = view_.projection.to_screen(point(static_cast<float>(to)));
     const ImVec2 begin = to_imgui(from == 0 || !p ? seen->a : *p);
     const ImVec2 end = to_imgui(to == pieces || !q ? seen->b : *q);
-    if (!is_hidden) list_.AddLine(begin, end, IM_COL32(0, 0, 0, 110), thickness + scaled(2));
+    const ImU32 shade = (color & IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 0);
+    if (!is_hidden) list_.AddLine(begin, end, faded(shade, kShade), thickness + scaled(1.5f));
     list_.AddLine(begin, end, is_hidden ? faded(color, kHidden) : color, thickness);
   };
   int begin = 0;

@@ -34,6 +34,11 @@ bool looks_like_checkpoint(const fs::path& path) {
   return lower_case(path.extension().string()) == kCheckpointExtension;
 }
 
+bool looks_like_linear_picture(const fs::path& path) {
+  const std::string extension = lower_case(path.extension().string());
+  return extension == ".exr" || extension == ".hdr" || extension == ".png";
+}
+
 }  // namespace
 
 FileRequest open_scene_request() {
@@ -42,6 +47,14 @@ FileRequest open_scene_request() {
           .hint = "Mitsuba XML or glTF 2.0. Arrow keys choose, Enter opens.",
           .none = "No scenes in this folder",
           .shows = looks_like_scene};
+}
+
+FileRequest load_reference_request() {
+  return {.title = "Load reference",
+          .verb = "Load",
+          .hint = "A picture of the same size and view. Arrow keys choose, Enter loads.",
+          .none = "No pictures in this folder",
+          .shows = looks_like_linear_picture};
 }
 
 FileRequest save_checkpoint_request() {

@@ -66,5 +66,6 @@ class FileDialog {
 FileRequest open_scene_request();
 FileRequest save_checkpoint_request();
 FileRequest resume_checkpoint_request();
+FileRequest load_reference_request();
 
 }  // namespace guidelight

@@ -3,6 +3,7 @@
 #include "ui/format.h"
 #include "ui/panels/panels.h"
 #include "ui/pixel_probe.h"
+#include "ui/plot.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -48,6 +49,25 @@ void draw_surface(const PixelReport& report) {
   readout("Albedo", triple(report.albedo));
 }
 
+/// For progressive density estimates: radius, count and estimate over the light paths.
+void draw_history(const std::vector<PixelHistory::Entry>& history) {
+  if (history.empty()) return;
+  const auto plot = [&](const char* title, const char* id, bool logarithmic, auto value) {
+    PlotCurve curve{"", palette::kAccent, {}};
+    for (const PixelHistory::Entry& entry : history) {
+      curve.points.emplace_back(static_cast<float>(entry.emitted), value(entry));
+    }
+    dim_text(title);
+    draw_plot(id, {&curve, 1}, {"paths", "", true, logarithmic});
+  };
+  plot("Radius over light paths [scene units]", "radius", true,
+       [](const auto& entry) { return entry.radius; });
+  plot("Photons that count, over light paths", "count", true,
+       [](const auto& entry) { return entry.count; });
+  plot("Estimate of the luminance", "estimate", false,
+       [](const auto& entry) { return luminance(entry.estimate); });
+}
+
 }  // namespace
 
 void draw_inspector_panel(Document& document, std::optional<glm::ivec2> hovered) {
@@ -70,6 +90,7 @@ void draw_inspector_panel(Document& document, std::optional<glm::ivec2> hovered)
   }
   draw_values(*report);
   draw_surface(*report);
+  if (picked) draw_history(document.pixel_history());
 }
 
 }  // namespace guidelight

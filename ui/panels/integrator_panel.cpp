@@ -56,13 +56,13 @@ struct ParameterWidget {
   }
 };
 
+}  // namespace
+
 bool draw_parameter(const Parameter& parameter) {
   row(parameter.label.c_str(), parameter.help + " " + kRestarts);
   const std::string id = "##" + parameter.key;
   return std::visit(ParameterWidget{parameter, id.c_str()}, parameter.value);
 }
-
-}  // namespace
 
 void draw_integrator_panel(Document& document) {
   if (!document.has_scene() || !section("Integrator")) return;

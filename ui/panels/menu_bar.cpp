@@ -19,7 +19,44 @@ void draw_recent_menu(const RecentFiles& recent,
 }  // namespace
 
 /// One menu per group of the key table, in its order.
-void draw_menu_bar(const RecentFiles& recent, const Perform& perform,
+std::string why_disabled(Action action, const Document& document) {
+  const bool selected = document.guide_view().selected.has_value();
+  switch (action) {
+    case Action::Undo:
+      return document.undo_label().empty() ? "Nothing has been changed yet" : "";
+    case Action::Redo:
+      return document.redo_label().empty() ? "Nothing has been undone" : "";
+    case Action::DuplicateGuide:
+    case Action::DeleteGuide:
+      return selected ? "" : "No guide is selected: choose one in the list or by a vertex";
+    case Action::KeepPath:
+      return document.harvest().paths.empty()
+                 ? "No light path is shown: pick a pixel while the Guides tab is open"
+                 : "";
+    case Action::OpenScene:
+    case Action::ResumeCheckpoint:
+    case Action::Quit:
+    case Action::WindowCapture:
+    case Action::KeySheet:
+    case Action::HideUi:
+    case Action::LargerUi:
+    case Action::SmallerUi:
+    case Action::CycleViews:
+      return "";
+    default:
+      return document.has_scene() ? "" : "No scene is open";
+  }
+}
+
+std::string menu_label(Action action, const Document& document) {
+  const std::string label = action_label(action);
+  const std::string step = action == Action::Undo   ? document.undo_label()
+                           : action == Action::Redo ? document.redo_label()
+                                                    : "";
+  return step.empty() ? label : label + " " + step;
+}
+
+void draw_menu_bar(const Document& document, const RecentFiles& recent, const Perform& perform,
                    const std::function<void(const std::string&)>& open_scene, ViewLayout& views) {
   if (!ImGui::BeginMainMenuBar()) return;
   const auto bindings = key_bindings();
@@ -30,7 +67,12 @@ void draw_menu_bar(const RecentFiles& recent, const Perform& perform,
       if (!open) continue;
       const KeyBinding& binding = bindings[i];
       const std::string keys = key_text(binding.key, binding.modifiers);
-      if (ImGui::MenuItem(binding.label, keys.c_str())) perform(binding.action);
+      const std::string label = menu_label(binding.action, document);
+      const std::string reason = why_disabled(binding.action, document);
+      if (ImGui::MenuItem(label.c_str(), keys.c_str(), false, reason.empty())) {
+        perform(binding.action);
+      }
+      if (!reason.empty()) tooltip(reason);
       if (binding.action == Action::OpenScene) draw_recent_menu(recent, open_scene);
     }
     if (open) ImGui::EndMenu();

@@ -18,24 +18,9 @@ const Vec4 kScoutBackground{0.105f, 0.11f, 0.115f, 1};
 
 }  // namespace
 
-ScoutView::ScoutView(const Window& window, UiQueue& queue) : queue_(queue), mouse_(window) {}
-ScoutView::~ScoutView() = default;
-
 void ScoutView::show(const Document& document) {
   settings_.clip_axis = ScoutSettings::Axis::None;
   stand_at_render_camera(document);
-  // Large scenes take a moment; the mesh of the scene opened last wins.
-  const auto scene = document.opened().scene;
-  const uint64_t number = ++mesh_number_;
-  tessellator_.run([this, scene, number] {
-    auto mesh = std::make_shared<DisplayMesh>(make_display_mesh(scene->description()));
-    queue_.post([this, mesh, number] {
-      if (number != mesh_number_) return;
-      if (!mesh_raster_) mesh_raster_ = std::make_unique<MeshRaster>();
-      mesh_raster_->upload(*mesh);
-      drawn_ = {};
-    });
-  });
 }
 
 void ScoutView::stand_at_render_camera(const Document& document) {
@@ -90,6 +75,7 @@ void ScoutView::draw(Document& document, Toolbox& toolbox) {
   const ViewProjection before = project();
   ToolView view{before, nullptr, clip_plane(bounds), settings_.style != MeshStyle::Shaded};
   view.mouse = from_imgui(ImGui::GetMousePos());
+  view.double_click = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
   NavigationTarget target;
   target.move = [&](const auto& move) { move(camera_); };
   target.find_pivot = [&] {
@@ -117,13 +103,14 @@ void ScoutView::draw(Document& document, Toolbox& toolbox) {
 }
 
 void ScoutView::rasterise(const ViewProjection& projection, Vec4 clip, Vec2 corner, Vec2 room) {
-  const Drawn wanted{projection.clip_from_world(corner, room), room, settings_, mesh_number_};
+  const Drawn wanted{projection.clip_from_world(corner, room), room, settings_, display_.version()};
   if (wanted == drawn_) return;
   drawn_ = wanted;
   target_.begin(static_cast<int>(room.x), static_cast<int>(room.y), kScoutBackground);
-  if (mesh_raster_) {
-    mesh_raster_->draw(wanted.clip_from_world, {settings_.style, camera_.position(), clip});
-  }
+  display_.draw_mesh(wanted.clip_from_world, {settings_.style, camera_.position(), clip});
+  PointRaster::Look look;
+  look.clip_plane = clip;
+  display_.draw_photons(wanted.clip_from_world, look);
   RasterTarget::end();
 }
 

@@ -3,11 +3,8 @@
 #include <memory>
 #include <optional>
 
-#include "ui/background_thread.h"
-#include "ui/document.h"
-#include "ui/gl/mesh_raster.h"
+#include "ui/display_scene.h"
 #include "ui/gl/raster_target.h"
-#include "ui/ui_queue.h"
 #include "ui/view_mouse.h"
 
 namespace guidelight {
@@ -28,10 +25,10 @@ struct ScoutSettings {
 /// camera does not see.
 class ScoutView {
  public:
-  ScoutView(const Window& window, UiQueue& queue);
-  ~ScoutView();
+  ScoutView(const Window& window, const DisplayScene& display)
+      : display_(display), mouse_(window) {}
 
-  /// Prepares another scene and stands where its camera is.
+  /// Stands where the camera of another scene is.
   void show(const Document& document);
   /// Fills the current ImGui window.
   void draw(Document& document, Toolbox& toolbox);
@@ -56,21 +53,17 @@ class ScoutView {
     Mat4 clip_from_world{0.0f};
     Vec2 room{0};
     ScoutSettings settings;
-    uint64_t mesh = 0;
+    uint64_t version = 0;
     bool operator==(const Drawn&) const = default;
   };
 
-  UiQueue& queue_;
+  const DisplayScene& display_;
   ViewMouse mouse_;
   CameraController camera_;
   ScoutSettings settings_;
-  std::unique_ptr<MeshRaster> mesh_raster_;
   RasterTarget target_;
-  std::shared_ptr<const SceneDescription> shown_;
-  uint64_t mesh_number_ = 0;  // of the mesh in mesh_raster_
   Drawn drawn_;
   bool hovered_ = false;
-  BackgroundThread tessellator_;  // last: it finishes before the rest goes
 };
 
 }  // namespace guidelight

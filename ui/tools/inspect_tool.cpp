@@ -7,7 +7,27 @@
 
 namespace guidelight {
 
+void InspectTool::hover(Document& document, const ToolView& view) {
+  vertex_drag_.hover(document, view);
+}
+
 void InspectTool::press(Document& document, const ToolView& view) {
+  if (!vertex_drag_.press(document, view)) pick_pixel(document, view);
+}
+
+void InspectTool::drag(Document& document, const ToolView& view) {
+  if (vertex_drag_.active()) {
+    vertex_drag_.drag(document, view);
+  } else {
+    pick_pixel(document, view);
+  }
+}
+
+void InspectTool::release(Document& document, const ToolView&) {
+  if (vertex_drag_.active()) vertex_drag_.release(document);
+}
+
+void InspectTool::pick_pixel(Document& document, const ToolView& view) const {
   if (!view.picture) return;
   const Vec2 pixel = view.picture->to_pixel(view.mouse);
   const RenderSettings& settings = document.settings();
@@ -17,9 +37,8 @@ void InspectTool::press(Document& document, const ToolView& view) {
   document.view().inspected_pixel = inside ? std::optional(picked) : std::nullopt;
 }
 
-void InspectTool::drag(Document& document, const ToolView& view) { press(document, view); }
-
 void InspectTool::draw(const Document& document, const ToolView& view, ImDrawList& list) const {
+  vertex_drag_.draw(document, view, list);
   const auto& pixel = document.view().inspected_pixel;
   if (!pixel || !view.picture) return;
   const ViewTransform& transform = *view.picture;

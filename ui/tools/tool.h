@@ -19,7 +19,12 @@ struct ToolView {
   Vec4 clip_plane{0, 0, 0, 1};
   bool sees_through = false;  // nothing hides anything
   Vec2 mouse{0};              // on the screen [pixels]
+  bool double_click = false;  // of the left button, in this frame
 };
+
+/// What the view shows at a position of its screen: through its clip plane, if there is one.
+Ray pick_ray(const ToolView& view, Vec2 screen);
+std::optional<SurfacePoint> pick_surface(const Scene& scene, const ToolView& view);
 
 /// What the left button does in the views.
 class Tool {

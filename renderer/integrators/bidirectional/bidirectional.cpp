@@ -5,6 +5,7 @@
 #include "renderer/error.h"
 #include "renderer/integrators/bidirectional/camera_stage.h"
 #include "renderer/integrators/bidirectional/light_stage.h"
+#include "renderer/parallel/concatenate.h"
 #include "renderer/parallel/object_pool.h"
 #include "renderer/photons/photon_cloud.h"
 
@@ -142,17 +143,14 @@ class Bidirectional : public Integrator {
   }
 
   void build_map(const PassSetup& setup, const PassContext& context) {
-    photons_.clear();
-    for (const auto& batch : tile_photons_) {
-      photons_.insert(photons_.end(), batch.begin(), batch.end());
-    }
+    concatenate(tile_photons_, photons_, *context.parallel);
     if (context.photons) {
       context.photons->collect(static_cast<double>(setup.light_path_count), photons_);
     }
     if (settings_.merges_nearest()) {
       tree_ = KdTree<Photon>(photons_, *context.parallel);
     } else {
-      grid_ = HashGrid<Photon>(photons_, 2 * setup.radius.typical(), *context.parallel);
+      grid_.rebuild(photons_, 2 * setup.radius.typical(), *context.parallel);
     }
   }
 

@@ -90,11 +90,15 @@ void CameraStage::escaped(uint32_t index, Subpath& path) {
   }
 }
 
+void CameraStage::expect(Vec3 position, bool soon) const {
+  if (light_.photons) light_.photons->prefetch(position, soon);
+}
+
 bool CameraStage::visit(uint32_t index, Subpath& path, const PathVertex& vertex,
                         const Scattering& scattering) {
   const BidirectionalSettings& settings = setup_.settings;
-  const bool merges_once = settings.kind == BidirectionalKind::ProbabilisticPpm;
-  if (merges_once && !vertex.is_specular_chain) return false;
+  const bool ends_early = settings.ends_at_first_finite_vertex();
+  if (ends_early && !vertex.is_specular_chain) return false;
   const int length = vertex.length;
   PathState& state = states_[index];
   state.extend(path);
@@ -116,7 +120,7 @@ bool CameraStage::visit(uint32_t index, Subpath& path, const PathVertex& vertex,
   if (light_.photons) merge_within_radius(index, vertex, scattering);
   if (light_.nearest) merge_nearest(index, vertex, scattering);
   // A coat over a finite lobe: the path may still be a specular one.
-  return !merges_once || (vertex.point.bsdf->lobes() & kLobeDelta);
+  return !ends_early || (vertex.point.bsdf->lobes() & kLobeDelta);
 }
 
 void CameraStage::add_emission(uint32_t index, const Subpath& path, const PathVertex& vertex) {

@@ -45,6 +45,7 @@ class CameraStage {
 
   // RandomWalk's visitor.
   void escaped(uint32_t index, Subpath& path);
+  void expect(Vec3 position, bool soon) const;
   bool visit(uint32_t index, Subpath& path, const PathVertex& vertex, const Scattering& scattering);
   void end_segment();
 

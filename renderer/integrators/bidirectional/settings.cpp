@@ -35,6 +35,11 @@ bool BidirectionalSettings::connects_to_random_vertices() const {
   return connections && connect_to == 1;
 }
 
+bool BidirectionalSettings::ends_at_first_finite_vertex() const {
+  const bool only_traces_light = !emission && !next_event && !connections && !merges();
+  return kind == BidirectionalKind::ProbabilisticPpm || only_traces_light;
+}
+
 std::vector<Parameter> BidirectionalSettings::parameters() {
   const bool combines = kind == BidirectionalKind::Bdpt || kind == BidirectionalKind::Vcm;
   const bool is_vcm = kind == BidirectionalKind::Vcm;

@@ -36,6 +36,8 @@ struct BidirectionalSettings : IntegratorSettings, RadiusSettings, GuideSettings
   /// Merges with the k nearest photons, not with all within a radius.
   bool merges_nearest() const { return kind == BidirectionalKind::Bdpm; }
   bool connects_to_random_vertices() const;
+  /// Nothing is looked for beyond the first camera vertex that scatters by a finite lobe.
+  bool ends_at_first_finite_vertex() const;
 
   std::vector<Parameter> parameters() override;
   std::unique_ptr<IntegratorSettings> clone() const override;

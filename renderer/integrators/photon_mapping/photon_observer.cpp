@@ -6,6 +6,9 @@ namespace guidelight {
 
 namespace {
 
+/// Side of the cells in which photons become one, of the largest radius of an estimate.
+constexpr float kCellSize = 0.03f;
+
 bool is_sharp(const Path& path, int i, const SharpScattering& sharp) {
   if (!path.is_finite(i)) return true;
   const PathPoint& x = path.points[i];
@@ -35,11 +38,22 @@ PathVertex PhotonObserver::vertex_at(const Path& path, int i) {
   return vertex;
 }
 
+uint64_t PhotonObserver::cell(const PathVertex& vertex, bool caustic) const {
+  // A corner of the scene has as many cells as it has walls.
+  const Vec3 normal = vertex.point.geometric_normal;
+  int axis = 0;
+  for (int i = 1; i < 3; ++i) axis = std::abs(normal[i]) > std::abs(normal[axis]) ? i : axis;
+  const bool outside = glm::dot(normal, vertex.wo) > 0;
+  const uint64_t kind = axis * 4u + (outside ? 2u : 0u) + (caustic ? 1u : 0u);
+  const float size = kCellSize * (caustic ? setup_.caustic : setup_.global).max_distance;
+  return mix_bits(hash_position(glm::floor(vertex.point.position / size)) ^ kind);
+}
+
 void PhotonObserver::operator()(const Path& path, double weight) {
   const auto site = photon_site(path, setup_.global.sharp);
   if (!site) return;
   const PathVertex vertex = vertex_at(path, site->vertex);
-  const uint64_t key = hash_position(vertex.point.position) ^ (site->caustic ? 1 : 0);
+  const uint64_t key = cell(vertex, site->caustic);
   const auto [place, is_new] = places_.try_emplace(key, static_cast<uint32_t>(deposits_.size()));
   if (is_new) {
     const Color power = state_power(path, *site, vertex);
@@ -47,8 +61,9 @@ void PhotonObserver::operator()(const Path& path, double weight) {
     return;
   }
   Deposit& deposit = deposits_[place->second];
-  const bool arrives_alike =
-      deposit.vertex.wo == vertex.wo && deposit.vertex.length == vertex.length;
+  const bool arrives_alike = deposit.vertex.point.position == vertex.point.position &&
+                             deposit.vertex.wo == vertex.wo &&
+                             deposit.vertex.length == vertex.length;
   const Color power = arrives_alike ? deposit.power_per_weight : state_power(path, *site, vertex);
   const Color added = power * static_cast<float>(weight);
   deposit.power += added;

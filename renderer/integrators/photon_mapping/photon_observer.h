@@ -22,8 +22,9 @@ std::optional<PhotonSite> photon_site(const Path& path, const SharpScattering& s
 /// Their power divides by the *marginal* density of the light's side,
 ///   Φ = B/N · f_map / Y(f_map ⊙ I),
 /// and not by that of the complete path, which is the density of more than the photon is: see
-/// docs/metropolis.md. States that keep the place add up to one photon: photons in one point would
-/// be an endless density to an estimate from the nearest.
+/// docs/metropolis.md. States that leave their photons in the same place, or nearly, add up to one:
+/// a chain goes by small steps, and photons in one point would be an endless density to an estimate
+/// from the nearest.
 class PhotonObserver {
  public:
   /// `scale` is B/N.
@@ -35,8 +36,8 @@ class PhotonObserver {
   PassPhotons photons() const;
 
  private:
-  /// One place, and what all states with their photon there have left. Of their directions it keeps
-  /// one, drawn in proportion to power.
+  /// A small cell of a surface, and what all states with their photon there have left. Of their
+  /// places and directions it keeps one, drawn in proportion to power.
   struct Deposit {
     PathVertex vertex;
     bool caustic;
@@ -44,6 +45,8 @@ class PhotonObserver {
     Color power_per_weight{0};  // of states that arrive as `vertex` says
   };
 
+  /// Hash of the cell that a photon falls into.
+  uint64_t cell(const PathVertex& vertex, bool caustic) const;
   /// Power of a state of weight 1; black where importance is not known.
   Color state_power(const Path& path, const PhotonSite& site, const PathVertex& vertex) const;
   static PathVertex vertex_at(const Path& path, int i);
@@ -53,7 +56,7 @@ class PhotonObserver {
   double scale_;
   Rng rng_;
   std::vector<Deposit> deposits_;
-  std::unordered_map<uint64_t, uint32_t> places_;  // hash of a place to its deposit
+  std::unordered_map<uint64_t, uint32_t> places_;  // hash of a cell to its deposit
 };
 
 }  // namespace guidelight

@@ -67,8 +67,9 @@ class ProgressivePhotons : public Integrator {
                                max_length_ - 1, settings_.guided_emission(context)};
     const std::vector<Photon>& photons = tracer_.trace(*scene_, paths, *context.parallel);
     if (context.photons) context.photons->collect(light_paths_, photons);
-    map_ = {HashGrid<Photon>(photons, 2 * typical_radius(film), *context.parallel),
-            settings_.min_length, max_length_};
+    map_.photons.rebuild(photons, 2 * typical_radius(film), *context.parallel);
+    map_.min_length = settings_.min_length;
+    map_.max_length = max_length_;
   }
 
   /// Mean radius of some of the pixels.

@@ -10,12 +10,13 @@ struct Metal {
   Color eta;
   Color k;
   ColorTexture specular_reflectance;
+  Color at_60 = fresnel_conductor(0.5f, eta, k);
 
   Color reflectance(const SurfacePoint& point, float cos_theta) const {
     return specular_reflectance.eval(point) * fresnel_conductor(cos_theta, eta, k);
   }
   /// At 60°, where half of a diffusely lit surface's light comes from beyond.
-  Color albedo(const SurfacePoint& point) const { return reflectance(point, 0.5f); }
+  Color albedo(const SurfacePoint& point) const { return specular_reflectance.eval(point) * at_60; }
 };
 
 class SmoothConductor final : public Bsdf {

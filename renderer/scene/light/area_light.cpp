@@ -19,23 +19,24 @@ class AreaLight final : public Light {
   }
 
   std::optional<DirectSample> sample_direct(Vec3 reference, Vec2 u) const override {
-    const Shape::SeenSample seen = shape_.sample_seen_from(reference, u);
-    const Vec3 to_light = seen.point.position - reference;
-    const float squared = length_squared(to_light);
-    const float projected = -glm::dot(seen.point.geometric_normal, to_light);  // cosine × distance
-    if (!(seen.pdf_solid_angle > 0 && projected > 0 && squared > 0)) return std::nullopt;
-
     std::optional<DirectSample> result(std::in_place);
     DirectSample& sample = *result;
+    sample.pdf = shape_.sample_seen_from(reference, u, sample.point);
+    const Vec3 to_light = sample.point.position - reference;
+    const float squared = length_squared(to_light);
+    const float projected = -glm::dot(sample.point.geometric_normal, to_light);  // cos × distance
+    if (!(sample.pdf > 0 && projected > 0 && squared > 0)) {
+      result.reset();
+      return result;
+    }
+
     sample.distance = std::sqrt(squared);
     sample.wi = to_light / sample.distance;
     sample.cos_light = projected / sample.distance;
-    sample.radiance = radiance_.eval(seen.point);
-    sample.pdf = seen.pdf_solid_angle;
-    sample.point = seen.point;
+    sample.radiance = radiance_.eval(sample.point);
     sample.point.light = this;
-    sample.position = seen.point.position;
-    sample.pdf_position = shape_.pdf_area(seen.point);
+    sample.position = sample.point.position;
+    sample.pdf_position = shape_.pdf_area(sample.point);
     sample.pdf_direction = cosine_hemisphere_pdf(sample.cos_light);
     return result;
   }
@@ -45,17 +46,18 @@ class AreaLight final : public Light {
   }
 
   std::optional<EmissionSample> sample_emission(Vec2 u_position, Vec2 u_direction) const override {
-    const ShapeSample from = shape_.sample_area(u_position);
-    const Vec3 local = square_to_cosine_hemisphere(u_direction);
-    if (!(from.pdf_area > 0 && local.z > 0)) return std::nullopt;
     std::optional<EmissionSample> result(std::in_place);
     EmissionSample& sample = *result;
-    sample.point = from.point;
+    sample.pdf_position = shape_.sample_area(u_position, sample.point);
+    const Vec3 local = square_to_cosine_hemisphere(u_direction);
+    if (!(sample.pdf_position > 0 && local.z > 0)) {
+      result.reset();
+      return result;
+    }
     sample.point.light = this;
-    const Frame frame = Frame::from_normal(from.point.geometric_normal);
-    sample.ray = from.point.spawn_ray(frame.to_world(local));
-    sample.weight = radiance_.eval(from.point) * (kPi / from.pdf_area);
-    sample.pdf_position = from.pdf_area;
+    const Frame frame = Frame::from_normal(sample.point.geometric_normal);
+    sample.ray = sample.point.spawn_ray(frame.to_world(local));
+    sample.weight = radiance_.eval(sample.point) * (kPi / sample.pdf_position);
     sample.cos_light = local.z;
     sample.pdf_direction = cosine_hemisphere_pdf(local.z);
     return result;

@@ -26,13 +26,15 @@ TEST(Registry, lists_every_integrator_once_and_finds_it_by_name) {
     EXPECT_FALSE(info.label.empty());
     EXPECT_FALSE(info.summary.empty());
   }
-  EXPECT_THAT(names, ::testing::IsSupersetOf({"path", "light", "bdpt", "pppm", "bpm", "bdpm", "vcm",
-                                              "ppm", "sppm", "photon_map"}));
+  EXPECT_THAT(names,
+              ::testing::IsSupersetOf({"path", "light", "bdpt", "pppm", "bpm", "bdpm", "vcm", "ppm",
+                                       "sppm", "photon_map", "mlt", "pssmlt", "mps"}));
   EXPECT_THROW(find_integrator("radiosity"), Error);
 }
 
 TEST(Registry, parameters_are_described_and_documented) {
-  const std::string text = document("integrators.md") + document("photon-mapping.md");
+  const std::string text =
+      document("integrators.md") + document("photon-mapping.md") + document("metropolis.md");
   for (const IntegratorInfo& info : integrators()) {
     EXPECT_THAT(text, ::testing::HasSubstr("`" + info.name + "`"));
     const auto settings = info.make_settings({});

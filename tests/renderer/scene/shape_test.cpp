@@ -83,13 +83,13 @@ TEST_P(EveryShape, SamplesLieOnTheSurfaceWithTheirDensity) {
     statistics::Moments area;
     Rng rng(2, 0, 0);
     for (int i = 0; i < 50000; ++i) {
-      const ShapeSample sample = shape->sample_area(rng.next_vec2());
-      const SurfacePoint& p = sample.point;
+      SurfacePoint p;
+      const float pdf = shape->sample_area(rng.next_vec2(), p);
       ASSERT_NEAR(glm::length(p.geometric_normal), 1, 1e-5f);
-      ASSERT_NEAR(shape->pdf_area(p) / sample.pdf_area, 1, 1e-3f);
+      ASSERT_NEAR(shape->pdf_area(p) / pdf, 1, 1e-3f);
       ASSERT_TRUE(glm::all(glm::lessThanEqual(bounds.lower - 1e-5f, p.position)));
       ASSERT_TRUE(glm::all(glm::lessThanEqual(p.position, bounds.upper + 1e-5f)));
-      area.add(1 / sample.pdf_area);
+      area.add(1 / pdf);
     }
     EXPECT_GT(statistics::t_test(area, shape->area(), 2e-5 * shape->area()), kLevel) << area.mean();
   }
@@ -101,7 +101,8 @@ TEST_P(EveryShape, DerivativesFollowTheTextureCoordinates) {
   Rng rng(3, 0, 0);
   int tested = 0;
   for (int i = 0; i < 2000; ++i) {
-    const SurfacePoint a = traced.shape->sample_area(rng.next_vec2()).point;
+    SurfacePoint a;
+    traced.shape->sample_area(rng.next_vec2(), a);
     if (a.dpdu == Vec3(0)) continue;  // a mesh without texture coordinates
     EXPECT_NEAR(glm::dot(glm::normalize(a.dpdu), a.geometric_normal), 0, 1e-4f);
     EXPECT_NEAR(glm::dot(glm::normalize(a.dpdv), a.geometric_normal), 0, 1e-4f);
@@ -134,7 +135,8 @@ TEST_P(EveryShape, RaysDoNotMeetTheSurfaceTheyLeave) {
         const auto* analytic = dynamic_cast<const AnalyticShape*>(traced.shape.get());
         int failures = 0;
         for (int i = 0; i < 4200; ++i) {
-          const SurfacePoint p = traced.shape->sample_area(rng.next_vec2()).point;
+          SurfacePoint p;
+          traced.shape->sample_area(rng.next_vec2(), p);
           Vec3 direction = square_to_sphere(rng.next_vec2());
           if (!flat && glm::dot(direction, p.geometric_normal) < 0) direction = -direction;
           const Ray ray = p.spawn_ray(direction);
@@ -159,7 +161,8 @@ TEST(Shape, RaysInsideASphereMeetTheOtherSide) {
       const Vec3 center = scale * distance * Vec3(0.3f, -0.8f, 0.5f);
       const Traced traced(describe(SphereShape{}, placed(center, Vec3(scale))));
       for (int i = 0; i < 20000; ++i) {
-        const SurfacePoint p = traced.shape->sample_area(rng.next_vec2()).point;
+        SurfacePoint p;
+        traced.shape->sample_area(rng.next_vec2(), p);
         const Frame frame = Frame::from_normal(-p.geometric_normal);
         const Vec3 direction = frame.to_world(square_to_cosine_hemisphere(rng.next_vec2()));
         const float chord = 2 * scale * glm::dot(direction, frame.n);
@@ -182,7 +185,8 @@ TEST(Shape, OutsideSurvivesMirroring) {
         const auto shape = make_shape(describe(geometry, to_world, flip));
         Rng rng(6, 0, 0);
         for (int i = 0; i < 200; ++i) {
-          const SurfacePoint p = shape->sample_area(rng.next_vec2()).point;
+          SurfacePoint p;
+          shape->sample_area(rng.next_vec2(), p);
           const bool outwards = glm::dot(p.geometric_normal, p.position - center) > 0;
           EXPECT_EQ(outwards, !flip);
           EXPECT_GT(glm::dot(p.frame.n, p.geometric_normal), 0.99f);
@@ -198,13 +202,14 @@ TEST(Shape, SmoothNormalsAreInterpolatedAndMirrored) {
   mesh->normals = {slanted, slanted, slanted, slanted};
   const Mat4 mirror = glm::scale(Mat4(1), Vec3(-1, 1, 1));
   const auto shape = make_shape(describe(MeshShape{mesh}, mirror));
-  const SurfacePoint p = shape->sample_area({0.3f, 0.4f}).point;
+  SurfacePoint p;
+  shape->sample_area({0.3f, 0.4f}, p);
   EXPECT_NEAR(glm::length(p.frame.n - Vec3(-slanted.x, 0, slanted.z)), 0, 1e-5f);
   EXPECT_NEAR(p.geometric_normal.z, 1, 1e-6f);
   // A normal of no length falls back on the face's.
   mesh->normals = {{}, {}, {}, {}};
-  EXPECT_NEAR(make_shape(describe(MeshShape{mesh}))->sample_area({0.3f, 0.4f}).point.frame.n.z, 1,
-              1e-6f);
+  make_shape(describe(MeshShape{mesh}))->sample_area({0.3f, 0.4f}, p);
+  EXPECT_NEAR(p.frame.n.z, 1, 1e-6f);
 }
 
 TEST(Shape, DegenerateTrianglesAreNeverSampled) {
@@ -215,8 +220,9 @@ TEST(Shape, DegenerateTrianglesAreNeverSampled) {
   EXPECT_FLOAT_EQ(shape->area(), 4);
   Rng rng(7, 0, 0);
   for (int i = 0; i < 10000; ++i) {
-    const uint32_t primitive = shape->sample_area(rng.next_vec2()).point.primitive;
-    ASSERT_TRUE(primitive == 2 || primitive == 3);
+    SurfacePoint p;
+    shape->sample_area(rng.next_vec2(), p);
+    ASSERT_TRUE(p.primitive == 2 || p.primitive == 3);
   }
 }
 

@@ -64,7 +64,11 @@ TEST_P(Emission, DirectionsAreDistributedAsPdfSays) {
   const Light& light = *lamp_.light;
   if (light.is_delta_direction()) return;  // the density is discrete and was compared above
   SurfacePoint up;  // area lights emit alike everywhere, relative to the normal
-  up.position = lamp_.shape ? lamp_.shape->sample_area(Vec2(0.4f)).point.position : Vec3(0);
+  if (lamp_.shape) {
+    SurfacePoint any;
+    lamp_.shape->sample_area(Vec2(0.4f), any);
+    up.position = any.position;
+  }
   const auto draw = [&](Rng& rng) {
     const Vec2 u_position = rng.next_vec2();
     const auto sample = light.sample_emission(u_position, rng.next_vec2());
@@ -93,11 +97,11 @@ TEST_P(Emission, BringsAsMuchAsDirectSamplingFinds) {
   Rng rng(5, 0, 0);
   statistics::Moments gathered;
   for (int i = 0; i < 200000; ++i) {
-    const ShapeSample at = receiver->sample_area(rng.next_vec2());
-    const auto sample = lamp_.light->sample_direct(at.point.position, rng.next_vec2());
-    const float cosine = sample ? glm::dot(at.point.geometric_normal, sample->wi) : 0;
-    gathered.add(cosine > 0 ? luminance(sample->radiance) * cosine / (sample->pdf * at.pdf_area)
-                            : 0);
+    SurfacePoint at;
+    const float pdf_area = receiver->sample_area(rng.next_vec2(), at);
+    const auto sample = lamp_.light->sample_direct(at.position, rng.next_vec2());
+    const float cosine = sample ? glm::dot(at.geometric_normal, sample->wi) : 0;
+    gathered.add(cosine > 0 ? luminance(sample->radiance) * cosine / (sample->pdf * pdf_area) : 0);
   }
   statistics::Moments brought;
   for (int i = 0; i < 400000; ++i) {

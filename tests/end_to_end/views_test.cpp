@@ -1,0 +1,85 @@
+#include <thread>
+
+#include "tests/end_to_end/viewer_fixture.h"
+
+namespace guidelight {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr double kNoise = 3;
+
+class ViewsTest : public ViewerTest {
+ protected:
+  void press_and_settle(const char* key) {
+    driver_->press_key(key);
+    std::this_thread::sleep_for(600ms);
+  }
+};
+
+TEST_F(ViewsTest, TheScoutViewHasItsOwnCameraAndDoesNotMoveTheRenderCamera) {
+  start({write_scene("ball.xml")});
+  ASSERT_TRUE(wait_for_full_picture());
+  const std::string camera = read_metadata(save_png()).at("camera_to_world");
+  ASSERT_TRUE(change_view([&] { driver_->press_key("Tab"); }));
+  EXPECT_TRUE(change_view([&] {
+    driver_->drag(kViewCenter, {kViewCenter.x + 120, kViewCenter.y + 90}, Mouse::Middle,
+                  {"Shift_L"});
+  })) << "the ball moves with the mouse";
+  EXPECT_TRUE(change_view([&] { driver_->press_key("Home"); })) << "back to the render camera";
+  EXPECT_EQ(read_metadata(save_png()).at("camera_to_world"), camera);
+}
+
+TEST_F(ViewsTest, TheScoutViewShowsTheSceneInThreeWays) {
+  start({write_scene("ball.xml")});
+  ASSERT_TRUE(wait_for_picture());
+  press_and_settle("space");
+  ASSERT_TRUE(change_view([&] { driver_->press_key("Tab"); }));
+  EXPECT_TRUE(change_view([&] { driver_->click({409, 44}); })) << "wires";
+  EXPECT_TRUE(change_view([&] { driver_->click({485, 44}); })) << "see-through";
+}
+
+TEST_F(ViewsTest, PhotonsAreDrawnOverTheScene) {
+  start({scene("cornell"), "--integrator", "photon_map", "--size", "64x64"});
+  ASSERT_TRUE(wait_for_full_picture());
+  press_and_settle("Tab");
+  const ScreenPicture before = capture();
+  driver_->press_key("p");
+  EXPECT_TRUE(wait_until([&] { return view_difference(before) > kNoise; }));
+  driver_->press_key("p");
+  EXPECT_TRUE(wait_until([&] { return view_difference(before) < 1; }));
+}
+
+TEST_F(ViewsTest, APinnedPictureIsWipedOverTheRenderAndShownAloneWithShift) {
+  start({write_scene("ball.xml")});
+  ASSERT_TRUE(wait_for_full_picture());
+  driver_->press_key("b");
+  std::this_thread::sleep_for(1s);
+  // The render then shows the ball elsewhere.
+  ASSERT_TRUE(change_view([&] {
+    driver_->drag(kViewCenter, {kViewCenter.x + 150, kViewCenter.y}, Mouse::Middle, {"Alt_L"});
+  }));
+  driver_->move_mouse({kViewCenter.x + 40, kViewCenter.y + 40});
+  EXPECT_TRUE(change_view([&] { driver_->hold_key("Shift_L", true); }));
+  EXPECT_TRUE(change_view([&] { driver_->hold_key("Shift_L", false); }));
+}
+
+TEST_F(ViewsTest, RenderSettingsUndoAndRedo) {
+  start({write_scene("ball.xml")});
+  ASSERT_TRUE(wait_for_full_picture());
+  driver_->press_key("r");
+  driver_->drag({kViewCenter.x - 100, kViewCenter.y - 80},
+                {kViewCenter.x + 100, kViewCenter.y + 80}, Mouse::Left);
+  const auto has_region = [&] { return read_metadata(save_png()).contains("region"); };
+  std::this_thread::sleep_for(1s);
+  EXPECT_TRUE(has_region());
+  driver_->press_key("z", {"Control_L"});
+  std::this_thread::sleep_for(1s);
+  EXPECT_FALSE(has_region());
+  driver_->press_key("z", {"Control_L", "Shift_L"});
+  std::this_thread::sleep_for(1s);
+  EXPECT_TRUE(has_region());
+}
+
+}  // namespace
+}  // namespace guidelight

@@ -1,0 +1,100 @@
+// The densities of proposals against the proposals themselves: candidates of a path that fall into
+// a small disc around a place, each counted by one over its density, sum to the disc's area.
+
+#include <gtest/gtest.h>
+
+#include "renderer/metropolis/bidirectional_mutation.h"
+#include "renderer/metropolis/bidirectional_sampler.h"
+#include "renderer/metropolis/caustic_perturbation.h"
+#include "renderer/metropolis/eye_perturbations.h"
+#include "renderer/metropolis/lens_subpath_mutation.h"
+#include "tests/renderer/test_scenes.h"
+#include "tests/statistics/hypothesis_tests.h"
+
+namespace guidelight {
+namespace {
+
+using statistics::Moments;
+
+constexpr double kFalseAlarms = 1e-3;
+constexpr int kPaths = 4;  // that are mutated
+constexpr float kRadius = 0.03f;
+constexpr PathLengths kLengths{3, 3};
+
+/// The one vertex by which two paths of the same length differ; -1 if they differ otherwise.
+int moved_vertex(const Path& x, const Path& y) {
+  const int v = shared_from_light(x, y);
+  return v + shared_from_eye(x, y) == x.size() - 1 ? v : -1;
+}
+
+/// Whether a disc around a point of the room's walls lies in its wall.
+bool lies_within_wall(Vec3 p) {
+  int on_wall = 0;
+  for (int axis = 0; axis < 3; ++axis) on_wall += std::abs(p[axis]) > 0.999f ? 1 : 0;
+  const float limit = 1 - 2 * kRadius;
+  int inside = 0;
+  for (int axis = 0; axis < 3; ++axis) inside += std::abs(p[axis]) < limit ? 1 : 0;
+  return on_wall == 1 && inside == 2;
+}
+
+struct Case {
+  std::string name;
+  std::unique_ptr<Mutation> (*make)(const Scene& scene);
+  int proposals;
+};
+
+class TransitionDensity : public ::testing::TestWithParam<int> {};
+
+const std::vector<Case>& cases() {
+  static const std::vector<Case> list = {
+      {"bidirectional", [](const Scene& s) { return make_bidirectional_mutation(s, kLengths); },
+       1000000},
+      {"lens", [](const Scene& s) { return make_lens_perturbation(s); }, 100000},
+      {"caustic", [](const Scene& s) { return make_caustic_perturbation(s); }, 100000},
+      {"lens_subpath", [](const Scene& s) { return make_lens_subpath_mutation(s, kLengths); },
+       200000},
+      {"photon_map", [](const Scene& s) { return make_photon_map_perturbation(s, kPi / 6); },
+       100000},
+  };
+  return list;
+}
+
+TEST_P(TransitionDensity, CountsCandidates) {
+  const Case& test = cases()[GetParam()];
+  const auto scene = testing::build(testing::room());
+  const auto mutation = test.make(*scene);
+  const PathSampler sampler(*scene, kLengths);
+  const double level = statistics::sidak_level(kFalseAlarms, cases().size() * kPaths);
+  Path x, y;
+  int tested = 0;
+  for (int i = 0; i < 10000 && tested < kPaths; ++i) {
+    Rng rng(3, 0, i);
+    if (sampler.sample(x, rng) == 0 || !mutation->is_suitable(x)) continue;
+    if (!mutation->propose(x, y, rng)) continue;
+    const int v = moved_vertex(x, y);
+    if (v <= 0 || v >= x.length() || !lies_within_wall(y.points[v].point.position)) continue;
+    const Vec3 center = y.points[v].point.position;
+    // Perturbations go neither very near nor far: the whole disc must be within their reach.
+    const float distance = glm::distance(center, x.points[v].point.position);
+    if (distance < 2 * kRadius || distance > 4 * kRadius) continue;
+    Moments area;
+    for (int n = 0; n < test.proposals; ++n) {
+      const bool counts = mutation->propose(x, y, rng) && moved_vertex(x, y) == v &&
+                          glm::distance(y.points[v].point.position, center) < kRadius;
+      area.add(counts ? 1 / mutation->density(x, y) : 0);
+    }
+    ++tested;
+    const double expected = kPi * kRadius * kRadius;
+    EXPECT_GT(statistics::t_test(area, expected), level)
+        << "path " << i << ", vertex " << v << ": " << area.mean() << " +- "
+        << area.standard_error() << " against " << expected;
+    EXPECT_LT(area.standard_error(), 0.25 * expected) << "path " << i;
+  }
+  EXPECT_EQ(tested, kPaths);
+}
+
+INSTANTIATE_TEST_SUITE_P(Mutations, TransitionDensity, ::testing::Range(0, 5),
+                         [](const auto& test) { return cases()[test.param].name; });
+
+}  // namespace
+}  // namespace guidelight

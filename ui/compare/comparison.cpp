@@ -1,0 +1,151 @@
+#include "ui/compare/comparison.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "renderer/io/image_file.h"
+#include "ui/format.h"
+
+namespace guidelight {
+namespace {
+
+constexpr std::chrono::milliseconds kBetweenMeasurements{250};
+constexpr float kSmallestErrorShown = 1e-4f;
+constexpr float kLargestErrorShown = 10;
+
+std::shared_ptr<const DisplayImage> develop_image(const Image& image,
+                                                  const DisplaySettings& display) {
+  auto developed = std::make_shared<DisplayImage>();
+  display_image(image, display, *developed);
+  return developed;
+}
+
+std::shared_ptr<const DisplayImage> develop_errors(const Image& image, const Image& other) {
+  DisplaySettings display;
+  display.curve = ToneCurve::FalseColor;
+  display.color_map = ColorMap::Magma;
+  display.false_color_min = kSmallestErrorShown;
+  display.false_color_max = kLargestErrorShown;
+  return develop_image(relative_error_map(image, other), display);
+}
+
+bool same_size(const Image& a, const Image& b) {
+  return a.width() == b.width() && a.height() == b.height();
+}
+
+}  // namespace
+
+std::optional<ErrorCurve::Point> ErrorCurve::at(double seconds) const {
+  const auto after = std::ranges::lower_bound(points, seconds, {}, &Point::seconds);
+  if (after == points.end()) return std::nullopt;
+  if (after->seconds == seconds) return *after;
+  if (after == points.begin()) return std::nullopt;
+  const Point& a = *(after - 1);
+  const Point& b = *after;
+  const double share = (seconds - a.seconds) / (b.seconds - a.seconds);
+  return Point{seconds, std::lerp(a.relative_mse, b.relative_mse, share),
+               std::lerp(a.rms, b.rms, share)};
+}
+
+void Comparison::load_reference(const std::string& path) {
+  worker_.run([this, path] {
+    try {
+      auto image = std::make_shared<const Image>(read_image(path));
+      queue_.post([this, path, image = std::move(image)] {
+        reference_ = {std::filesystem::path(path).filename().string(), image};
+        against_ = Against::Reference;
+        curve_ = {};
+        pinned_curve_ = {};
+        if (document_.picture() && !same_size(*image, document_.picture()->layer(Layer::Beauty))) {
+          document_.messages().warning(fmt::format(
+              "{} has {} × {} pixels; it can only be compared with a picture of that size.",
+              reference_.name, image->width(), image->height()));
+        }
+      });
+    } catch (const std::exception& error) {
+      queue_.post([this, text = std::string(error.what())] { document_.messages().error(text); });
+    }
+  });
+}
+
+void Comparison::pin() {
+  const auto& picture = document_.picture();
+  if (!picture || picture->coarse) {
+    document_.messages().warning("There is no picture of the full size to pin yet.");
+    return;
+  }
+  const std::string name =
+      fmt::format("{}, {}", find_integrator(document_.picture_job().integrator).label,
+                  format_duration(picture->seconds));
+  pinned_ = {name, std::make_shared<const Image>(picture->layer(Layer::Beauty))};
+  pinned_curve_ = curve_;
+  pinned_curve_.name = name;
+  if (!reference_.image) against_ = Against::Pinned;
+  document_.messages().note("Pinned " + name);
+}
+
+void Comparison::forget() {
+  reference_ = pinned_ = {};
+  curve_ = pinned_curve_ = {};
+  metrics_.reset();
+  mode = Mode::Off;
+}
+
+void Comparison::update(Document::Clock::time_point now) {
+  develop_other();
+  const auto& picture = document_.picture();
+  if (!picture || picture->coarse || !other().image) return;
+  if (!same_size(picture->layer(Layer::Beauty), *other().image)) {
+    metrics_.reset();
+    return;
+  }
+  if (picture->job != curve_job_ || curve_reference_ != reference_.image) {
+    curve_job_ = picture->job;
+    curve_reference_ = reference_.image;
+    curve_ = {find_integrator(document_.picture_job().integrator).label, {}};
+  }
+  const bool fresh =
+      picture->generation != measured_generation_ || measured_other_ != other().image;
+  if (busy_ || !fresh || now - measured_at_ < kBetweenMeasurements) return;
+  measured_generation_ = picture->generation;
+  measured_other_ = other().image;
+  measured_at_ = now;
+  measure(picture);
+}
+
+void Comparison::measure(std::shared_ptr<const Snapshot> snapshot) {
+  busy_ = true;
+  worker_.run([this, snapshot, other = other().image, reference = reference_.image] {
+    const Image& image = snapshot->layer(Layer::Beauty);
+    const ImageMetrics metrics = compare_images(image, *other);
+    const auto errors = develop_errors(image, *other);
+    queue_.post([=, this] {
+      busy_ = false;
+      metrics_ = metrics;
+      error_displayed_ = errors;
+      if (other != reference || snapshot->job != curve_job_) return;
+      curve_.points.push_back(
+          {snapshot->seconds, metrics.relative_mse.plain, metrics.rms_relative_error.plain});
+    });
+  });
+}
+
+void Comparison::develop_other() {
+  const Developed wanted{other().image, document_.view().current()};
+  if (wanted == developed_) return;
+  developed_ = wanted;
+  if (!wanted.image) {
+    other_displayed_ = nullptr;
+    return;
+  }
+  worker_.run([this, wanted] {
+    queue_.post([this, wanted, image = develop_image(*wanted.image, wanted.display)] {
+      if (wanted == developed_) other_displayed_ = image;
+    });
+  });
+}
+
+}  // namespace guidelight

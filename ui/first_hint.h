@@ -1,0 +1,26 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <string>
+
+#include "renderer/math/vector.h"
+
+namespace guidelight {
+
+/// Three lines for those who have never placed a guide path, until they take up the tool for it.
+class FirstHint {
+ public:
+  /// Remembers in a file of the folder that the hint has been understood.
+  explicit FirstHint(const std::string& state_folder);
+
+  void dismiss();
+  /// In the upper left corner of a view; left out where there is not enough room.
+  void draw(ImDrawList& list, Vec2 corner, float room) const;
+
+ private:
+  std::string mark_;
+  bool shown_;
+};
+
+}  // namespace guidelight

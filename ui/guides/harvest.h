@@ -1,0 +1,24 @@
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <vector>
+
+#include "renderer/scene/scene.h"
+#include "renderer/transport/guide_path.h"
+
+namespace guidelight {
+
+/// A way on which light reaches a pixel.
+struct HarvestedPath {
+  GuidePath guide;   // of the strongest sample: from the light to where the eye's paths begin
+  double share = 0;  // of all light that was found, over all samples of this way
+};
+
+/// Draws `samples` paths to a pixel of the scene's picture by all bidirectional techniques and
+/// groups those that visit the same shapes; the strongest `count` groups, the strongest first.
+/// Directly visible light is left out: no guide leads there. Stops early when told to.
+std::vector<HarvestedPath> harvest_pixel(const Scene& scene, glm::ivec2 pixel, int samples,
+                                         size_t count, const std::atomic<bool>& stop);
+
+}  // namespace guidelight

@@ -1,0 +1,35 @@
+#include "ui/guides/harvester.h"
+
+namespace guidelight {
+namespace {
+
+constexpr int kSamples = 60'000;
+constexpr size_t kPathsShown = 10;
+
+}  // namespace
+
+void Harvester::update(bool wanted) {
+  Subject subject;
+  if (wanted && document_.has_scene()) {
+    subject = {document_.openings(), document_.camera().to_world(),
+               document_.view().inspected_pixel};
+  }
+  if (subject == subject_) return;
+  stop_ = busy_;
+  if (busy_) return;
+  subject_ = subject;
+  document_.harvest() = {};
+  if (!subject.pixel) return;
+  busy_ = true;
+  document_.harvest().searching = true;
+  worker_.run([this, subject, scene = document_.current_scene()] {
+    auto paths = harvest_pixel(*scene, *subject.pixel, kSamples, kPathsShown, stop_);
+    queue_.post([this, subject, paths = std::move(paths)] {
+      busy_ = false;
+      stop_ = false;
+      if (subject == subject_) document_.harvest() = {paths, {}, false};
+    });
+  });
+}
+
+}  // namespace guidelight

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <imgui.h>
+
+#include "ui/tools/tool.h"
+
+namespace guidelight {
+
+/// The guides of a document: paths, vertices, what is wrong with them; of the selected one its
+/// cones, its disc on the light and paths that it proposes, too.
+void draw_guides(const Document& document, const ToolView& view, ImDrawList& list);
+
+/// The light paths of the inspected pixel, the selected one stronger.
+void draw_harvest(const Document& document, const ToolView& view, ImDrawList& list);
+
+}  // namespace guidelight

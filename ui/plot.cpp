@@ -1,0 +1,112 @@
+#include "ui/plot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/format.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+namespace guidelight {
+namespace {
+
+constexpr float kPlotHeight = 92;  // at scale 1
+
+/// Where values lie along one axis.
+class PlotRange {
+ public:
+  explicit PlotRange(bool logarithmic) : logarithmic_(logarithmic) {}
+
+  bool shows(float value) const { return std::isfinite(value) && (!logarithmic_ || value > 0); }
+  void extend(float value) {
+    if (!shows(value)) return;
+    low_ = std::min(low_, position(value));
+    high_ = std::max(high_, position(value));
+  }
+  bool empty() const { return !(low_ <= high_); }
+  /// 0 … 1 from the lower to the upper end.
+  float share(float value) const {
+    return high_ > low_ ? (position(value) - low_) / (high_ - low_) : 0.5f;
+  }
+  float low() const { return value(low_); }
+  float high() const { return value(high_); }
+
+ private:
+  float position(float x) const { return logarithmic_ ? std::log(x) : x; }
+  float value(float x) const { return logarithmic_ ? std::exp(x) : x; }
+
+  bool logarithmic_;
+  float low_ = kInfinity;
+  float high_ = -kInfinity;
+};
+
+std::string with_plot_unit(float value, const std::string& unit) {
+  const std::string number = fmt::format("{:.3g}", value);
+  return unit.empty() ? number : number + " " + unit;
+}
+
+void draw_curve_legend(std::span<const PlotCurve> curves) {
+  for (const PlotCurve& curve : curves) {
+    if (curve.name.empty()) continue;
+    const Vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
+    const float line = ImGui::GetTextLineHeight();
+    ImGui::GetWindowDrawList()->AddLine(to_imgui(corner + Vec2(0, line / 2)),
+                                        to_imgui(corner + Vec2(scaled(12), line / 2)), curve.color,
+                                        scaled(2));
+    ImGui::Dummy({scaled(14), line});
+    ImGui::SameLine(0, scaled(5));
+    dim_text(shortened(curve.name, ImGui::GetContentRegionAvail().x));
+  }
+}
+
+}  // namespace
+
+void draw_plot(const char* id, std::span<const PlotCurve> curves, const PlotAxes& axes) {
+  PlotRange x(axes.logarithmic_x), y(axes.logarithmic_y);
+  for (const PlotCurve& curve : curves) {
+    for (const Vec2 point : curve.points) {
+      if (!x.shows(point.x) || !y.shows(point.y)) continue;
+      x.extend(point.x);
+      y.extend(point.y);
+    }
+  }
+  const Vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
+  const Vec2 size(ImGui::GetContentRegionAvail().x, scaled(kPlotHeight));
+  ImGui::InvisibleButton(id, to_imgui(size));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(to_imgui(corner), to_imgui(corner + size), palette::kBackdrop, scaled(4));
+  if (x.empty()) {
+    centered_text(list, corner + 0.5f * size, palette::kDim, "nothing yet");
+    return;
+  }
+  const float margin = scaled(7);
+  const auto place = [&](Vec2 point) {
+    const Vec2 share(x.share(point.x), 1 - y.share(point.y));
+    return corner + margin + share * (size - 2 * margin);
+  };
+  for (const PlotCurve& curve : curves) {
+    std::vector<ImVec2> line;
+    for (const Vec2 point : curve.points) {
+      if (x.shows(point.x) && y.shows(point.y)) line.push_back(to_imgui(place(point)));
+    }
+    if (line.size() == 1) list.AddCircleFilled(line[0], scaled(2), curve.color);
+    list.AddPolyline(line.data(), static_cast<int>(line.size()), curve.color, 0, scaled(1.5f));
+  }
+  const float small = 0.85f * ImGui::GetFontSize();
+  const auto corner_text = [&](Vec2 at, const std::string& text, bool right) {
+    const float width = ImGui::GetFont()->CalcTextSizeA(small, FLT_MAX, 0, text.c_str()).x;
+    list.AddText(ImGui::GetFont(), small, {right ? at.x - width : at.x, at.y}, palette::kDim,
+                 text.c_str());
+  };
+  const float pad = scaled(5);
+  corner_text(corner + Vec2(pad, scaled(3)), with_plot_unit(y.high(), axes.y_unit), false);
+  corner_text(corner + Vec2(pad, size.y - small - scaled(3)), with_plot_unit(y.low(), axes.y_unit),
+              false);
+  corner_text(corner + size - Vec2(pad, small + scaled(3)), with_plot_unit(x.high(), axes.x_unit),
+              true);
+  draw_curve_legend(curves);
+}
+
+}  // namespace guidelight

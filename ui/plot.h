@@ -1,0 +1,30 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "renderer/math/vector.h"
+
+namespace guidelight {
+
+/// A line of a plot.
+struct PlotCurve {
+  std::string name;  // empty: not in the legend
+  ImU32 color;
+  std::vector<Vec2> points;  // by x
+};
+
+/// A small plot that fills the width: curves, the ends of both axes, a legend, and the values under
+/// the mouse. Logarithmic axes leave out what is not positive.
+struct PlotAxes {
+  std::string x_unit;
+  std::string y_unit;
+  bool logarithmic_x = false;
+  bool logarithmic_y = false;
+};
+void draw_plot(const char* id, std::span<const PlotCurve> curves, const PlotAxes& axes);
+
+}  // namespace guidelight
