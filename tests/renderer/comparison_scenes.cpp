@@ -155,4 +155,12 @@ const std::vector<ComparisonScene>& comparison_scenes() {
   return list;
 }
 
+std::vector<ComparisonScene> comparison_scenes(const std::set<std::string>& names) {
+  std::vector<ComparisonScene> some;
+  for (const ComparisonScene& scene : comparison_scenes()) {
+    if (names.count(scene.name)) some.push_back(scene);
+  }
+  return some;
+}
+
 }  // namespace guidelight::testing

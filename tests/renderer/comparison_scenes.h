@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,5 +18,7 @@ struct ComparisonScene {
   bool is_diffuse;  // light tracing sees all of it
 };
 const std::vector<ComparisonScene>& comparison_scenes();
+/// Some of them.
+std::vector<ComparisonScene> comparison_scenes(const std::set<std::string>& names);
 
 }  // namespace guidelight::testing

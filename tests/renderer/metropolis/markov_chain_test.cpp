@@ -6,8 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <set>
-
 #include "renderer/metropolis/bidirectional_mutation.h"
 #include "renderer/metropolis/bidirectional_sampler.h"
 #include "renderer/metropolis/caustic_perturbation.h"
@@ -102,15 +100,6 @@ struct Case {
   int which;
 };
 
-/// Scenes with what chains may get wrong: specular chains, lights at infinity, a lens.
-std::vector<testing::ComparisonScene> telling_scenes(const std::set<std::string>& names) {
-  std::vector<testing::ComparisonScene> scenes;
-  for (const testing::ComparisonScene& scene : testing::comparison_scenes()) {
-    if (names.count(scene.name)) scenes.push_back(scene);
-  }
-  return scenes;
-}
-
 class Chains : public ::testing::TestWithParam<std::tuple<testing::ComparisonScene, Case>> {};
 
 /// Compares chains with the path tracer; `tests` is how many such comparisons there are.
@@ -152,11 +141,12 @@ INSTANTIATE_TEST_SUITE_P(AllMutations, Chains,
 
 INSTANTIATE_TEST_SUITE_P(
     EachMutation, Chains,
-    ::testing::Combine(
-        ::testing::ValuesIn(telling_scenes({"mirror_glass_box", "environment", "thin_lens"})),
-        ::testing::Values(Case{"bidirectional", kBidirectional}, Case{"lens", kLens},
-                          Case{"multi_chain", kMultiChain}, Case{"caustic", kCaustic},
-                          Case{"lens_subpath", kSubpath}, Case{"photon_map", kMap})),
+    ::testing::Combine(::testing::ValuesIn(testing::comparison_scenes(
+                           {"mirror_glass_box", "environment", "thin_lens"})),
+                       ::testing::Values(Case{"bidirectional", kBidirectional}, Case{"lens", kLens},
+                                         Case{"multi_chain", kMultiChain},
+                                         Case{"caustic", kCaustic}, Case{"lens_subpath", kSubpath},
+                                         Case{"photon_map", kMap})),
     [](const auto& test) { return case_name(test); });
 
 /// Guides that begin as light does, traced over some bounces.
