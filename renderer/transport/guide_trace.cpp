@@ -146,9 +146,11 @@ std::optional<GuideSegment> solve_guide_segment(const Scene& scene, const Surfac
       direction = turned(share * *change);
       best = next;
     }
-    if (!helps) return std::nullopt;
+    if (!helps) break;
   }
-  return std::nullopt;
+  // Rounding may leave it a little beside.
+  const bool is_there = glm::distance(best->end.position, target) <= guide_tolerance(scene);
+  return is_there ? best : std::nullopt;
 }
 
 }  // namespace guidelight

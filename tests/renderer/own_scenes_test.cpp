@@ -99,8 +99,14 @@ TEST(OwnScenes, guides_go_where_they_are_needed) {
   EXPECT_EQ(
       std::ranges::count_if(box, [](const GuidePath& guide) { return guide.vertices.size() == 5; }),
       5);
-  for (const GuidePath& guide : guides_of("keyhole")) {
-    EXPECT_GT(guide.vertices.back().position.x, -1.4f) << guide.name << " ends in the room";
+  // Through the hole, or to the wall of the corridor that shines through it.
+  const auto keyhole = guides_of("keyhole");
+  const auto in_room = std::ranges::count_if(
+      keyhole, [](const GuidePath& guide) { return guide.vertices.back().position.x > -1.4f; });
+  EXPECT_GE(in_room, 4);
+  for (const GuidePath& guide : keyhole) {
+    const bool in_corridor = guide.vertices.back().position.x < -1.47f;
+    EXPECT_TRUE(in_corridor || guide.vertices.back().position.x > -1.4f) << guide.name;
   }
   for (const GuidePath& guide : guides_of("lantern")) {
     EXPECT_GT(glm::distance(guide.vertices.back().position, Vec3(0, 0.85f, 0)), 0.5f)

@@ -1,7 +1,7 @@
 #include "renderer/integrators/metropolis/pssmlt.h"
 
-#include "renderer/integrators/metropolis/chain_pass.h"
 #include "renderer/integrators/chain_description.h"
+#include "renderer/integrators/metropolis/chain_pass.h"
 #include "renderer/metropolis/primary_chain.h"
 
 namespace guidelight {

@@ -62,8 +62,8 @@ class Scattering {
   std::optional<ScatteringSample> specular(Lobe lobe) const {
     const std::optional<SpecularEvent> event = point_->bsdf->specular(*point_, wo_local_, lobe);
     if (!event || !(event->probability > 0)) return std::nullopt;
-    return to_world({event->wi, event->value / event->probability, event->probability, event->eta,
-                     lobe});
+    return to_world(
+        {event->wi, event->value / event->probability, event->probability, event->eta, lobe});
   }
 
   /// True if connections can be made here: some lobe is finite.
