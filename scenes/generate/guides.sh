@@ -47,7 +47,7 @@ guide keyhole "slot, lower" --disc 0.008 --cone 4.5 --from=-1.66206,0.935,0.0289
 guide keyhole "slot, foot"  --disc 0.008 --cone 4.5 --from=-1.66206,0.935,0.02899 --to=-1.45,0.902,0.002
 # By way of the wall behind the lamp.
 for y in 0.75 0.85 0.95 1.05; do
-  for z in -0.15 -0.05 0.05 0.15; do
+  for z in -0.15 -0.05 0.05 0.25; do
     guide keyhole "wall $y $z" --weight 0.02 --disc 0.008 --cone 5,4 \
       --from=-1.678,0.935,0.03 --to="-2.6,$y,$z" --to=-1.45,0.925,0.002
   done
