@@ -123,7 +123,7 @@ void RenderView::draw_scene_overlays(Document& document, Toolbox& toolbox, ImDra
 /// Depth-tested against the scene, which itself stays invisible.
 void RenderView::draw_photons(const ViewProjection& projection, ImDrawList& list, Vec2 corner,
                               Vec2 room) {
-  if (!display_.has_photons()) return;
+  if (!display_.has_photons() || !picture_) return;
   const Mat4 clip_from_world = projection.clip_from_world(corner, room);
   if (clip_from_world != photons_from_world_ || display_.version() != photons_version_) {
     photons_from_world_ = clip_from_world;
@@ -135,7 +135,11 @@ void RenderView::draw_photons(const ViewProjection& projection, ImDrawList& list
     display_.draw_photons(clip_from_world, {});
     RasterTarget::end();
   }
+  const Vec2 size(picture_->snapshot->full_width, picture_->snapshot->full_height);
+  list.PushClipRect(to_imgui(transform_.to_screen(Vec2(0))), to_imgui(transform_.to_screen(size)),
+                    true);
   list.AddImage(photons_.id(), to_imgui(corner), to_imgui(corner + room));
+  list.PopClipRect();
 }
 
 void RenderView::find_hovered_pixel(const Document& document, bool hovered) {

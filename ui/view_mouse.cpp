@@ -47,9 +47,10 @@ void ViewMouse::begin(Document& document, Toolbox& toolbox, const ToolView& view
     if (!ImGui::IsMouseClicked(button.number)) continue;
     gesture_ = gesture_for(button.input, window_.modifiers());
     button_ = button.number;
+    last_mouse_ = window_.press_position(button_);
     if (gesture_ == Gesture::UseTool) {
       ToolView at_press = view;
-      at_press.mouse = last_mouse_ = window_.press_position(button_);
+      at_press.mouse = last_mouse_;
       toolbox.tool().press(document, at_press);
     }
     return;
@@ -58,7 +59,8 @@ void ViewMouse::begin(Document& document, Toolbox& toolbox, const ToolView& view
 
 void ViewMouse::go_on(Document& document, Toolbox& toolbox, const ToolView& view,
                       const NavigationTarget& target) {
-  const Vec2 moved = from_imgui(ImGui::GetIO().MouseDelta);
+  const Vec2 moved = view.mouse - last_mouse_;
+  last_mouse_ = view.mouse;
   if (gesture_ == Gesture::Fly) {
     fly(target, document.scene().bounds().radius(), moved * (kLookPerHeight / target.room.y));
     return;
@@ -66,7 +68,6 @@ void ViewMouse::go_on(Document& document, Toolbox& toolbox, const ToolView& view
   if (moved == Vec2(0)) return;
   switch (*gesture_) {
     case Gesture::UseTool:
-      last_mouse_ = view.mouse;
       toolbox.tool().drag(document, view);
       break;
     case Gesture::Orbit:
@@ -89,10 +90,10 @@ void ViewMouse::go_on(Document& document, Toolbox& toolbox, const ToolView& view
 
 void ViewMouse::end(Document& document, Toolbox& toolbox, const ToolView& view,
                     const NavigationTarget& target) {
+  ToolView at_release = view;
+  at_release.mouse = window_.release_position(button_);
+  go_on(document, toolbox, at_release, target);
   if (gesture_ == Gesture::UseTool) {
-    ToolView at_release = view;
-    at_release.mouse = window_.release_position(button_);
-    if (at_release.mouse != last_mouse_) toolbox.tool().drag(document, at_release);
     toolbox.tool().release(document, at_release);
     toolbox.tidy();
   }

@@ -155,7 +155,7 @@ void Viewer::run() {
 
 /// Sleeps until something happens; no more than sixty frames are drawn in a second.
 void Viewer::wait_for_next_frame(Clock::time_point last_frame) {
-  if (--frames_due_ <= 0 && !animating()) {
+  if (--frames_due_ <= 0 && !animating() && !window_.events_pending()) {
     window_.wait_events(seconds_to_sleep());
     frames_due_ = kFramesAfterEvent;
   }

@@ -108,15 +108,16 @@ Window::~Window() {
 
 void Window::install_callbacks() {
   glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int code, int action, int modifiers) {
-    window_of(handle).take_key({key, code, modifiers}, action);
+    window_of(handle).events_.push_back(KeyChange{{key, code, modifiers}, action});
   });
   glfwSetCursorPosCallback(window_, [](GLFWwindow* handle, double x, double y) {
     window_of(handle).mouse_ = {x, y};
   });
-  glfwSetMouseButtonCallback(window_,
-                             [](GLFWwindow* handle, int button, int action, int modifiers) {
-                               window_of(handle).take_button(button, action, modifiers);
-                             });
+  glfwSetMouseButtonCallback(
+      window_, [](GLFWwindow* handle, int button, int action, int modifiers) {
+        Window& window = window_of(handle);
+        window.events_.push_back(ButtonChange{button, action, modifiers, window.mouse_});
+      });
   glfwSetDropCallback(window_, [](GLFWwindow* handle, int count, const char** paths) {
     Window& window = window_of(handle);
     if (window.on_drop) window.on_drop(std::vector<std::string>(paths, paths + count));
@@ -148,9 +149,23 @@ void Window::release_late_keys() {
   late_releases_.clear();
 }
 
-void Window::take_button(int button, int action, int modifiers) {
-  if (button < kButtons) (action == GLFW_PRESS ? presses_ : releases_)[button] = mouse_;
+void Window::take_button(const ButtonChange& change) {
+  const auto [button, action, modifiers, position] = change;
+  if (button < kButtons) (action == GLFW_PRESS ? presses_ : releases_)[button] = position;
   ImGui_ImplGlfw_MouseButtonCallback(window_, button, action, modifiers);
+}
+
+void Window::deliver_events() {
+  while (!events_.empty()) {
+    const auto event = events_.front();
+    events_.pop_front();
+    if (const auto* change = std::get_if<ButtonChange>(&event)) {
+      take_button(*change);
+      return;
+    }
+    const auto& [key, action] = std::get<KeyChange>(event);
+    take_key(key, action);
+  }
 }
 
 bool Window::should_close() const { return glfwWindowShouldClose(window_); }
@@ -168,6 +183,7 @@ void Window::wait_events(double seconds) {
 void Window::wake() { glfwPostEmptyEvent(); }
 
 void Window::begin_frame() {
+  deliver_events();
   if (scale_changed_) {
     scale_changed_ = false;
     apply_theme(scale_);

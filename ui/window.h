@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <deque>
 #include <functional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "renderer/image/image.h"
@@ -31,6 +33,9 @@ class Window {
   static void wake();
 
   void begin_frame();
+  /// Whether events wait for the next frame: each frame takes keys up to one change of a mouse
+  /// button, so that quick hands and slow frames do not change their order.
+  bool events_pending() const { return !events_.empty(); }
   /// Draws what ImGui was told since begin_frame and shows it; fills `capture` with it, if given.
   void end_frame(DisplayImage* capture = nullptr);
 
@@ -59,15 +64,27 @@ class Window {
     int modifiers;
   };
   void install_callbacks();
+  struct ButtonChange {
+    int button;
+    int action;
+    int modifiers;
+    Vec2 position;
+  };
+  struct KeyChange {
+    Key key;
+    int action;
+  };
   void take_key(const Key& key, int action);
+  void take_button(const ButtonChange& change);
   void release_late_keys();
-  void take_button(int button, int action, int modifiers);
+  void deliver_events();
 
   GLFWwindow* window_ = nullptr;
   float scale_ = 1;
   bool scale_changed_ = true;
   static constexpr int kButtons = 8;
   Vec2 mouse_{0};  // as of the last event
+  std::deque<std::variant<KeyChange, ButtonChange>> events_;
   std::array<Vec2, kButtons> presses_{};
   std::array<Vec2, kButtons> releases_{};
   std::vector<Key> pressed_;        // since the last frame

@@ -40,7 +40,7 @@ TEST_F(ViewsTest, TheScoutViewShowsTheSceneInThreeWays) {
 }
 
 TEST_F(ViewsTest, PhotonsAreDrawnOverTheScene) {
-  start({scene("cornell"), "--integrator", "photon_map", "--size", "64x64"});
+  start({scene("cornell"), "--integrator", "sppm", "--size", "64x64"});
   ASSERT_TRUE(wait_for_full_picture());
   press_and_settle("Tab");
   const ScreenPicture before = capture();
@@ -71,14 +71,11 @@ TEST_F(ViewsTest, RenderSettingsUndoAndRedo) {
   driver_->drag({kViewCenter.x - 100, kViewCenter.y - 80},
                 {kViewCenter.x + 100, kViewCenter.y + 80}, Mouse::Left);
   const auto has_region = [&] { return read_metadata(save_png()).contains("region"); };
-  std::this_thread::sleep_for(1s);
-  EXPECT_TRUE(has_region());
+  EXPECT_TRUE(wait_until(has_region));
   driver_->press_key("z", {"Control_L"});
-  std::this_thread::sleep_for(1s);
-  EXPECT_FALSE(has_region());
+  EXPECT_TRUE(wait_until([&] { return !has_region(); }));
   driver_->press_key("z", {"Control_L", "Shift_L"});
-  std::this_thread::sleep_for(1s);
-  EXPECT_TRUE(has_region());
+  EXPECT_TRUE(wait_until(has_region));
 }
 
 }  // namespace
