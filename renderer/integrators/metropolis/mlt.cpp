@@ -1,8 +1,8 @@
 #include "renderer/integrators/metropolis/mlt.h"
 
 #include "renderer/error.h"
-#include "renderer/integrators/metropolis/chain_pass.h"
 #include "renderer/integrators/chain_description.h"
+#include "renderer/integrators/metropolis/chain_pass.h"
 #include "renderer/metropolis/bidirectional_mutation.h"
 #include "renderer/metropolis/caustic_perturbation.h"
 #include "renderer/metropolis/eye_perturbations.h"
