@@ -94,12 +94,16 @@ float GapTable::probability(int from_light, int from_eye, int new_size) const {
   return distribution_.pmf(i) * cut.sizes.pmf(which);
 }
 
-/// Whether a vertex drawn from the light's (the eye's) side has no other place to be.
-bool is_forced_from_light(const Path& path, int i) {
-  return i == 0 ? path.light->is_delta() : !path.is_finite(i - 1);
+// Where a vertex drawn from the light's (the eye's) side has no other place to be, it gets there
+// with a probability: what the density of Path must be divided by to be that. 0 elsewhere.
+double forced_from_light(const Path& path, int i) {
+  if (i == 0) return path.light->is_delta() ? 1 : 0;
+  return path.is_finite(i - 1) ? 0 : path.points[i - 1].arrival_eye;
 }
-bool is_forced_from_eye(const Scene& scene, const Path& path, int i) {
-  return i == path.length() ? scene.camera().has_pinhole() : !path.is_finite(i + 1);
+double forced_from_eye(const Scene& scene, const Path& path, int i) {
+  if (i == path.length()) return scene.camera().has_pinhole() ? 1 : 0;
+  if (path.is_finite(i + 1)) return 0;
+  return double{path.points[i + 1].jacobian} * path.points[i].arrival_light;
 }
 
 class BidirectionalMutation : public Mutation {
@@ -122,24 +126,31 @@ class BidirectionalMutation : public Mutation {
 
   /// Over all gaps whose filling makes y: those between what the paths share. A smaller kept part
   /// would have to draw a shared vertex anew, which has no density in the measure of the others,
-  /// but for vertices that cannot turn out otherwise.
+  /// but for vertices that cannot turn out otherwise: those have a probability.
   double density(const Path& x, const Path& y) const override {
     const int shared_with_eye = shared_from_eye(x, y);
     double sum = 0;
-    for (int i = shared_from_light(x, y); i >= 0; --i) {
-      for (int j = shared_with_eye; j >= 0; --j) {
-        const Gap gap{i, y.size() - i - j, j};
-        const float probability = table(x).probability(i, j, y.size());
-        if (probability > 0 && gap.is_possible()) sum += probability * sampler_.density(gap, y);
-        if (j > 0 && !is_forced_from_eye(scene_, y, y.size() - j)) break;
+    double forced_light = 1;
+    for (int i = shared_from_light(x, y); i >= 0 && forced_light > 0; --i) {
+      double forced = forced_light;
+      for (int j = shared_with_eye; j >= 0 && forced > 0; --j) {
+        sum += gap_density(x, y, i, j) / forced;
+        if (j > 0) forced *= forced_from_eye(scene_, y, y.size() - j);
       }
-      if (i > 0 && !is_forced_from_light(y, i - 1)) break;
+      if (i > 0) forced_light *= forced_from_light(y, i - 1);
     }
     return sum;
   }
 
  private:
   const GapTable& table(const Path& x) const { return tables_[x.size() - min_size_]; }
+
+  /// Of the gap that keeps so many vertices of x.
+  double gap_density(const Path& x, const Path& y, int from_light, int from_eye) const {
+    const Gap gap{from_light, y.size() - from_light - from_eye, from_eye};
+    const float probability = table(x).probability(from_light, from_eye, y.size());
+    return probability > 0 && gap.is_possible() ? probability * sampler_.density(gap, y) : 0;
+  }
 
   const Scene& scene_;
   BidirectionalSampler sampler_;

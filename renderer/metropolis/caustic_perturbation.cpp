@@ -50,7 +50,7 @@ class CausticPerturbation final : public Mutation {
     }
     const float unit = pixel / range;
     const float width = static_cast<float>(scene_.camera().width());
-    const float max = 0.1f * width * unit;
+    const float max = std::max(0.1f * width, 0.2f) * unit;
     return {0.1f * unit, is_shifted(x, from) ? max : std::min(max, 0.5f)};
   }
 

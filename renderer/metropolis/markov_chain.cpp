@@ -43,7 +43,8 @@ double MarkovChain::propose(size_t which) {
   // Metropolis–Hastings (Veach 1997, 11.6); the set's choice belongs to the density.
   const double backward = mutation.density(candidate_, current_) * suitable_weight_ /
                           mutations_.suitable_weight(candidate_);
-  return std::min(1.0, candidate_.target() * backward / (current_.target() * forward));
+  const double ratio = candidate_.target() * backward / (current_.target() * forward);
+  return ratio > 0 ? std::min(ratio, 1.0) : 0;  // not a number where both densities are infinite
 }
 
 MutationStatistics& MarkovChain::of_guide(int guide) {
@@ -55,6 +56,7 @@ MutationStatistics& MarkovChain::of_guide(int guide) {
 void MarkovChain::forget_guides() {
   guide_statistics_.clear();
   current_.guide = Path::kNoGuide;
+  suitable_weight_ = mutations_.suitable_weight(current_);
 }
 
 }  // namespace guidelight

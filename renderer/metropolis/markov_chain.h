@@ -63,7 +63,7 @@ class MarkovChain {
   const std::vector<MutationStatistics>& statistics() const { return statistics_; }
   /// By guide; those that have proposed nothing may be missing at the end.
   const std::vector<MutationStatistics>& guide_statistics() const { return guide_statistics_; }
-  /// To be called when the set's guides are others.
+  /// To be called when the set has others, and with them other weights.
   void forget_guides();
 
  private:

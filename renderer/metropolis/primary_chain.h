@@ -9,10 +9,12 @@ namespace guidelight {
 /// the luminance of the path over its density. Observed like a MarkovChain.
 class PrimaryChain {
  public:
-  /// `sampler` must outlive this; with `start` it must draw a path that carries light.
-  PrimaryChain(const PathSampler& sampler, Rng start, float large_steps)
+  /// `sampler` must outlive this; with `start` it must draw a path that carries light. `rng` is for
+  /// what follows: chains may share their start.
+  PrimaryChain(const PathSampler& sampler, Rng start, Rng rng, float large_steps)
       : sampler_(sampler), samples_(start), large_steps_(large_steps) {
     value_ = evaluate(current_);
+    samples_.rng() = rng;
   }
 
   template <typename Observe>

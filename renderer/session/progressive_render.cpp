@@ -35,10 +35,16 @@ class ProgressiveRender {
   }
 
   [[noreturn]] void run() {
-    if (job_.coarse_first) show_coarse_pictures();
     const Camera& camera = job_.scene->camera();
     auto film = std::make_shared<Film>(camera.width(), camera.height(), camera.film().filter);
     const uint32_t first_pass = resume(*film);
+    try {
+      if (job_.coarse_first) show_coarse_pictures();
+    } catch (const Stopped&) {
+      save_on_request(film, first_pass);
+      throw;
+    }
+    status_.passes = first_pass;
     const auto integrator = info_.create(job_.scene, *settings_);
     PassContext context{.seed = job_.seed,
                         .parallel = &parallel_,
@@ -83,7 +89,6 @@ class ProgressiveRender {
   uint32_t resume(Film& film) {
     if (!job_.resume_from) return 0;
     film.merge(*job_.resume_from->film);
-    status_.passes = job_.resume_from->next_pass;
     return job_.resume_from->next_pass;
   }
 

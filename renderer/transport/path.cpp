@@ -17,6 +17,11 @@ float abs_cos(const SurfacePoint& point, Vec3 w) {
   return std::abs(glm::dot(point.geometric_normal, w));
 }
 
+/// Of a direction that arrives at the lens; 1 where all arrive in parallel.
+float lens_cosine(const Camera& camera, Vec3 w) {
+  return is_parallel(camera) ? 1.0f : -glm::dot(camera.forward(), w);
+}
+
 }  // namespace
 
 float infinite_light_probability(const Scene& scene) {
@@ -58,10 +63,12 @@ bool Path::update(const Scene& scene, int first, int last) {
 bool Path::update_edge(const Scene& scene, int i) {
   PathPoint& a = points[i];
   const PathPoint& b = points[i + 1];
+  const bool at_lens = i == length() - 1;
   if (i == 0 && light->is_infinite()) {
     // The direction is the vertex.
     a.distance = kInfinity;
-    a.arrival_eye = abs_cos(b.point, a.direction);
+    a.arrival_eye =
+        at_lens ? lens_cosine(scene.camera(), a.direction) : abs_cos(b.point, a.direction);
     a.arrival_light = 1;
     return a.arrival_eye > 0;
   }
@@ -70,7 +77,6 @@ bool Path::update_edge(const Scene& scene, int i) {
   if (!(squared > 0)) return false;
   a.distance = std::sqrt(squared);
   a.direction = to_next / a.distance;
-  const bool at_lens = i == length() - 1;
   const bool from_point = i == 0 && light->is_delta_position();
   const float cos_a = from_point ? 1.0f : abs_cos(a.point, a.direction);
   if (at_lens && is_parallel(scene.camera())) {
@@ -79,7 +85,7 @@ bool Path::update_edge(const Scene& scene, int i) {
     return cos_a > 0;
   }
   const float cos_b =
-      at_lens ? -glm::dot(scene.camera().forward(), a.direction) : abs_cos(b.point, a.direction);
+      at_lens ? lens_cosine(scene.camera(), a.direction) : abs_cos(b.point, a.direction);
   a.arrival_eye = cos_b / squared;
   a.arrival_light = cos_a / squared;
   return cos_a > 0 && cos_b > 0;
@@ -116,8 +122,7 @@ bool Path::update_lens(const Scene& scene) {
   const float importance = camera.importance(position, w);
   lens().value = Color(importance);
   lens().pdf_to_light = camera.pdf_direction(position, w);
-  const float cosine = is_parallel(camera) ? 1.0f : glm::dot(camera.forward(), w);
-  pdf_lens_ = importance * cosine / lens().pdf_to_light;
+  pdf_lens_ = importance * lens_cosine(camera, -w) / lens().pdf_to_light;
   return importance > 0;
 }
 

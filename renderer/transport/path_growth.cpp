@@ -52,7 +52,8 @@ bool sample_light(const Scene& scene, Path& path, Random& rng, Ray& ray) {
   if (!choice) return false;
   const Vec2 u_position = rng.next_vec2();
   const auto sample = choice->light->sample_emission(u_position, rng.next_vec2());
-  if (!sample || is_black(sample->weight)) return false;
+  // The first direction may be dark and the light still be seen from elsewhere.
+  if (!sample) return false;
   start_from(path, *choice->light, *sample);
   ray = sample->ray;
   return true;

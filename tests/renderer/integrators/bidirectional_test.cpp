@@ -273,6 +273,29 @@ TEST(EveryIntegrator, of_path_length_one_shows_emitters) {
   }
 }
 
+TEST(EveryIntegrator, of_chains_renders_a_single_pixel) {
+  const auto scene = testing::build(testing::room(1, 1));
+  for (const char* name : {"mlt", "pssmlt", "mps"}) {
+    const Film film = render_with(scene, name, {}, 2);
+    EXPECT_GT(mean(film), 0) << name;
+    EXPECT_TRUE(std::isfinite(mean(film))) << name;
+    EXPECT_EQ(film.rejected(), 0u) << name;
+  }
+}
+
+TEST(EveryIntegrator, of_chains_has_a_shortest_and_a_longest_path) {
+  const auto scene = testing::build(testing::room(16, 16));
+  for (const char* name : {"mlt", "pssmlt", "mps"}) {
+    const auto mean_of = [&](const char* shortest, const char* longest) {
+      return mean(render_with(scene, name, {{"min_length", shortest}, {"max_length", longest}}, 2));
+    };
+    EXPECT_EQ(mean_of("4", "3"), 0) << name;
+    EXPECT_GT(mean_of("4", "4"), 0) << name;
+    EXPECT_GT(mean_of("1", "2"), 0) << name;
+    EXPECT_TRUE(std::isfinite(mean_of("1", "64"))) << name;
+  }
+}
+
 TEST(EveryIntegrator, sees_from_inside_glass) {
   SceneDescription description = testing::room(16, 16);
   description.bsdfs.push_back({.name = "glass", .line = 0, .model = DielectricBsdf{}});
@@ -286,11 +309,15 @@ TEST(EveryIntegrator, sees_from_inside_glass) {
     std::vector<std::pair<std::string, std::string>> values = {{"max_length", "6"}};
     const auto settings = settings_for(info.name);
     for (const Parameter& parameter : settings->parameters()) {
+      const bool is_of_chains = info.name == "mlt" || info.name == "pssmlt";
       if (parameter.key == "scene_radius" && info.name != "bdpm") {
         values.emplace_back("scene_radius", "2");
       }
+      if (parameter.key == "light_paths" && info.name != "photon_map") {
+        values.emplace_back("light_paths", "16");
+      }
+      if (parameter.key == "mutations" && is_of_chains) values.emplace_back("mutations", "64");
     }
-    if (info.name != "photon_map") values.emplace_back("light_paths", "16");
     EXPECT_NEAR(mean(render_with(scene, info.name, values, 24)), expected, 0.05 * expected)
         << info.name;
   }

@@ -44,6 +44,28 @@ TEST_P(WholePaths, IntegrateToThePicture) {
   EXPECT_LT(found.standard_error(), 0.03 * found.mean());
 }
 
+TEST(BackgroundPaths, IntegrateToItsRadiance) {
+  for (const Vec3 target : {Vec3(1, 0.2f, 0.1f), Vec3(0, 0, 1)}) {
+    for (const CameraModel model : {CameraModel::Perspective, CameraModel::Orthographic}) {
+      SceneDescription description = testing::empty_scene(16, 16);
+      description.emitters.push_back({"sky", 0, ConstantEmitter{Color(0.5f)}});
+      testing::look_at(description, Vec3(0), target);
+      description.camera.model = model;
+      const auto scene = testing::build(description);
+      const PathSampler sampler(*scene, {1, 1});
+      Path path;
+      Moments found;
+      for (int i = 0; i < 10000; ++i) {
+        Rng rng(7, 0, i);
+        const double pdf = sampler.sample(path, rng);
+        found.add(pdf > 0 ? path.target() / pdf : 0);
+      }
+      EXPECT_NEAR(found.mean(), 0.5, 5 * found.standard_error());
+      EXPECT_LT(found.standard_error(), 0.01);
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, WholePaths, ::testing::ValuesIn(testing::comparison_scenes()),
                          [](const auto& test) { return test.param.name; });
 

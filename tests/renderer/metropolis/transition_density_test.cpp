@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include "renderer/metropolis/bidirectional_mutation.h"
 #include "renderer/metropolis/bidirectional_sampler.h"
 #include "renderer/metropolis/caustic_perturbation.h"
@@ -28,10 +30,10 @@ int moved_vertex(const Path& x, const Path& y) {
 }
 
 /// Whether a disc around a point of the room's walls lies in its wall.
-bool lies_within_wall(Vec3 p) {
+bool lies_within_wall(Vec3 p, float radius = kRadius) {
   int on_wall = 0;
   for (int axis = 0; axis < 3; ++axis) on_wall += std::abs(p[axis]) > 0.999f ? 1 : 0;
-  const float limit = 1 - 2 * kRadius;
+  const float limit = 1 - 2 * radius;
   int inside = 0;
   for (int axis = 0; axis < 3; ++axis) inside += std::abs(p[axis]) < limit ? 1 : 0;
   return on_wall == 1 && inside == 2;
@@ -91,6 +93,51 @@ TEST_P(TransitionDensity, CountsCandidates) {
     EXPECT_LT(area.standard_error(), 0.25 * expected) << "path " << i;
   }
   EXPECT_EQ(tested, kPaths);
+}
+
+/// A room of a tenth of the size with a mirror before the camera: densities per area are large.
+constexpr float kSmall = 0.1f;
+SceneDescription small_room_with_mirror() {
+  SceneDescription room = testing::room();
+  room.bsdfs.push_back({"mirror", 0, ConductorBsdf{}});
+  room.shapes.front().bsdf = static_cast<int>(room.bsdfs.size()) - 1;
+  for (ShapeDescription& shape : room.shapes) {
+    shape.to_world = glm::scale(Mat4(1), Vec3(kSmall)) * shape.to_world;
+  }
+  testing::look_at(room, {0, 0, 0.95f * kSmall}, {0, -0.2f * kSmall, -kSmall}, 70);
+  return room;
+}
+
+// On L D D D S E, keeping the third vertex and drawing it anew are two ways to the same candidates.
+TEST(ForcedVertices, AreDrawnWithAProbability) {
+  constexpr PathLengths kFive{5, 5};
+  constexpr float kWide = 0.2f;  // radius of discs, of half the room
+  constexpr int kProposals = 300000;
+  const auto scene = testing::build(small_room_with_mirror());
+  const auto mutation = make_bidirectional_mutation(*scene, kFive);
+  const PathSampler sampler(*scene, kFive);
+  Path x, y;
+  bool tested = false;
+  for (int i = 0; i < 100000 && !tested; ++i) {
+    Rng rng(5, 0, i);
+    if (sampler.sample(x, rng) == 0 || x.is_finite(4) || !x.is_finite(3)) continue;
+    if (!mutation->propose(x, y, rng)) continue;
+    const Vec3 center = y.points[2].point.position;
+    const bool is_free = lies_within_wall(center / kSmall, kWide) && center.y < 0.9f * kSmall;
+    if (moved_vertex(x, y) != 2 || !is_free) continue;
+    tested = true;
+    Moments area;
+    for (int n = 0; n < kProposals; ++n) {
+      const bool counts = mutation->propose(x, y, rng) && moved_vertex(x, y) == 2 &&
+                          glm::distance(y.points[2].point.position, center) < kWide * kSmall;
+      area.add(counts ? 1 / mutation->density(x, y) : 0);
+    }
+    const double expected = kPi * sqr(kWide * kSmall);
+    EXPECT_GT(statistics::t_test(area, expected), kFalseAlarms)
+        << area.mean() << " +- " << area.standard_error() << " against " << expected;
+    EXPECT_LT(area.standard_error(), 0.25 * expected);
+  }
+  EXPECT_TRUE(tested);
 }
 
 INSTANTIATE_TEST_SUITE_P(Mutations, TransitionDensity, ::testing::Range(0, 5),

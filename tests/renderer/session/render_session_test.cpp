@@ -320,6 +320,21 @@ TEST(RenderSession, saves_while_paused_and_stays_paused) {
   EXPECT_EQ(session.snapshot()->state, SessionState::Paused);
 }
 
+TEST(RenderSession, saves_what_was_resumed_if_it_is_given_up_before_the_first_pass) {
+  RenderJob job = room_job(512);
+  job.coarse_first = true;
+  const auto film = std::make_shared<Film>(512, 512, job.scene->camera().film().filter);
+  job.resume_from = RenderProgress{film, 7, 1.0};
+  Saved saved;
+  {
+    RenderSession session;
+    session.start(job);
+    ASSERT_TRUE(eventually([&] { return session.snapshot()->coarse; }));
+    session.save(saved.function());
+  }  // while the coarse pictures are drawn
+  EXPECT_GE(saved.passes, 7u);
+}
+
 TEST(RenderSession, saves_the_part_of_a_pass_that_is_given_up) {
   Saved saved;
   {
