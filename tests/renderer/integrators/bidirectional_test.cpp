@@ -323,8 +323,8 @@ TEST(EveryIntegrator, sees_from_inside_glass) {
       if (parameter.key == "scene_radius" && info.name != "bdpm") {
         values.emplace_back("scene_radius", "2");
       }
-      if (parameter.key == "light_paths" && info.name != "photon_map") {
-        values.emplace_back("light_paths", "16");
+      if (parameter.key == "light_paths") {
+        values.emplace_back("light_paths", info.name == "photon_map" ? "30000" : "16");
       }
       if (parameter.key == "mutations" && is_of_chains) values.emplace_back("mutations", "64");
     }
