@@ -273,10 +273,17 @@ TEST(EveryIntegrator, of_path_length_one_shows_emitters) {
   }
 }
 
+/// What is enough for the photons of a chain in a small picture.
+void append_few_paths(std::vector<std::pair<std::string, std::string>>& values) {
+  values.insert(values.end(), {{"mutations", "20000"}, {"importance_paths", "20000"}});
+}
+
 TEST(EveryIntegrator, of_chains_renders_a_single_pixel) {
   const auto scene = testing::build(testing::room(1, 1));
   for (const char* name : {"mlt", "pssmlt", "mps"}) {
-    const Film film = render_with(scene, name, {}, 2);
+    std::vector<std::pair<std::string, std::string>> values = {{"seed_paths", "4000"}};
+    if (name == std::string("mps")) append_few_paths(values);
+    const Film film = render_with(scene, name, values, 2);
     EXPECT_GT(mean(film), 0) << name;
     EXPECT_TRUE(std::isfinite(mean(film))) << name;
     EXPECT_EQ(film.rejected(), 0u) << name;
@@ -287,7 +294,10 @@ TEST(EveryIntegrator, of_chains_has_a_shortest_and_a_longest_path) {
   const auto scene = testing::build(testing::room(16, 16));
   for (const char* name : {"mlt", "pssmlt", "mps"}) {
     const auto mean_of = [&](const char* shortest, const char* longest) {
-      return mean(render_with(scene, name, {{"min_length", shortest}, {"max_length", longest}}, 2));
+      std::vector<std::pair<std::string, std::string>> values = {
+          {"min_length", shortest}, {"max_length", longest}, {"seed_paths", "4000"}};
+      if (name == std::string("mps")) append_few_paths(values);
+      return mean(render_with(scene, name, values, 2));
     };
     EXPECT_EQ(mean_of("4", "3"), 0) << name;
     EXPECT_GT(mean_of("4", "4"), 0) << name;
@@ -313,11 +323,12 @@ TEST(EveryIntegrator, sees_from_inside_glass) {
       if (parameter.key == "scene_radius" && info.name != "bdpm") {
         values.emplace_back("scene_radius", "2");
       }
-      if (parameter.key == "light_paths" && info.name != "photon_map") {
-        values.emplace_back("light_paths", "16");
+      if (parameter.key == "light_paths") {
+        values.emplace_back("light_paths", info.name == "photon_map" ? "30000" : "16");
       }
       if (parameter.key == "mutations" && is_of_chains) values.emplace_back("mutations", "64");
     }
+    if (info.name == "mps") append_few_paths(values);
     EXPECT_NEAR(mean(render_with(scene, info.name, values, 24)), expected, 0.05 * expected)
         << info.name;
   }
