@@ -7,6 +7,7 @@
 #include "app/scene_arguments.h"
 #include "renderer/error.h"
 #include "renderer/io/guide_file.h"
+#include "renderer/metropolis/harvest.h"
 #include "renderer/transport/guide_check.h"
 #include "renderer/transport/guide_trace.h"
 
@@ -150,6 +151,69 @@ void TraceCommand::run() const {
   fmt::print("{}: {} guides\n", output, list.size());
 }
 
+// -- guides harvest -------------------------------------------------------------------------------
+
+struct HarvestCommand {
+  SceneArguments scene_arguments;
+  std::string pixel;
+  std::string crop;
+  int samples = 200000;
+  size_t count = 10;
+  std::string output;
+
+  void add_to(CLI::App& command);
+  void run() const;
+
+ private:
+  HarvestRegion region(const Camera& camera) const;
+};
+
+void HarvestCommand::add_to(CLI::App& command) {
+  scene_arguments.add_to(command);
+  auto* one = command.add_option("--pixel", pixel, "Light of this pixel: x,y");
+  command.add_option("--crop", crop, "Light of these pixels: x0,y0,x1,y1")->excludes(one);
+  command.add_option("--samples", samples, "Paths to draw")
+      ->check(CLI::Range(1, 1000000000))
+      ->capture_default_str();
+  command.add_option("--count", count, "Ways to keep, the strongest first")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command.add_option("-o,--output", output, "File of guides to add them to, made if there is none");
+}
+
+HarvestRegion HarvestCommand::region(const Camera& camera) const {
+  HarvestRegion region;
+  if (!crop.empty()) {
+    const std::vector<int> c = split_numbers("--crop", crop, ',', 4);
+    region = {{c[0], c[1]}, {c[2], c[3]}};
+  } else if (!pixel.empty()) {
+    const std::vector<int> p = split_numbers("--pixel", pixel, ',', 2);
+    region = HarvestRegion::pixel({p[0], p[1]});
+  } else {
+    throw Error("no part of the picture is named: give --pixel or --crop");
+  }
+  if (!region.is_within(camera)) {
+    throw Error("the picture has {}x{} pixels: name some inside it", camera.width(),
+                camera.height());
+  }
+  return region;
+}
+
+void HarvestCommand::run() const {
+  const auto scene = Scene::build(scene_arguments.read());
+  const auto found = harvest(*scene, region(scene->camera()), samples, count, false);
+  std::vector<GuidePath> list;
+  if (!output.empty() && std::filesystem::exists(output)) list = read_guides(output);
+  for (const HarvestedPath& path : found) {
+    fmt::print("{:6.2f} %  {}\n", 100 * path.share, path.guide.name);
+    list.push_back(path.guide);
+  }
+  if (found.empty()) throw Error("no light was found there: draw more paths with --samples");
+  if (output.empty()) return;
+  write_guides(output, list);
+  fmt::print("{}: {} guides\n", output, list.size());
+}
+
 template <typename Command>
 void add(CLI::App& group, const char* name, const char* help) {
   CLI::App* command = group.add_subcommand(name, help);
@@ -161,10 +225,12 @@ void add(CLI::App& group, const char* name, const char* help) {
 }  // namespace
 
 void add_guides_command(CLI::App& app) {
-  CLI::App* group = app.add_subcommand("guides", "Check and trace guide paths");
+  CLI::App* group = app.add_subcommand("guides", "Check, trace and harvest guide paths");
   group->require_subcommand(1);
   add<CheckCommand>(*group, "check", "Say of each guide whether it fits the scene");
   add<TraceCommand>(*group, "trace", "Trace a guide from a point on a light");
+  add<HarvestCommand>(*group, "harvest",
+                      "List the ways on which light reaches a part of the picture");
 }
 
 }  // namespace guidelight

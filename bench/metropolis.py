@@ -87,7 +87,7 @@ def acceptance(report):
 def guides(args, scene):
     """relMSE and acceptance of chains, without and with guides."""
     cells = []
-    for guided in ("0", "0.25"):
+    for guided in ("0", "0.1"):
         errors, regions, accepted = [], [], []
         for seed in range(1, args.seeds + 1):
             picture = args.out / f"{scene}-mlt-{guided}-{seed}.exr"

@@ -16,7 +16,7 @@
 #include "renderer/transport/guide_check.h"
 #include "ui/camera_controller.h"
 #include "ui/guides/guide_editing.h"
-#include "ui/guides/harvest.h"
+#include "renderer/metropolis/harvest.h"
 #include "ui/messages.h"
 #include "ui/undo_stack.h"
 

@@ -14,15 +14,23 @@ ProposalStatistics describe(const std::string& name, const MutationStatistics& c
           .contribution = counted.contribution / total};
 }
 
+ChainStatistics brightness(const Seeding& seeding) {
+  ChainStatistics result;
+  result.normalization = seeding.normalization();
+  result.normalization_error = seeding.standard_error();
+  return result;
+}
+
 }  // namespace
 
-ChainStatistics sum_statistics(const MutationSet& mutations, std::span<const MarkovChain> chains,
-                               const GuideMixture* guides) {
+ChainStatistics describe_chains(const GuidedChains& chains, const Seeding& seeding) {
+  const MutationSet& mutations = chains.mutations();
+  const GuideMixture* guides = chains.guides();
   std::vector<MutationStatistics> of_mutation(mutations.size());
   std::vector<MutationStatistics> of_guide(guides ? guides->size() : 0);
-  ChainStatistics result;
+  ChainStatistics result = brightness(seeding);
   double accepted = 0;
-  for (const MarkovChain& chain : chains) {
+  for (const MarkovChain& chain : chains.list()) {
     result.steps += chain.steps();
     for (size_t i = 0; i < of_mutation.size(); ++i) of_mutation[i].add(chain.statistics()[i]);
     const auto& counted = chain.guide_statistics();
@@ -43,8 +51,8 @@ ChainStatistics sum_statistics(const MutationSet& mutations, std::span<const Mar
   return result;
 }
 
-ChainStatistics sum_statistics(std::span<const PrimaryChain> chains) {
-  ChainStatistics result;
+ChainStatistics describe_chains(std::span<const PrimaryChain> chains, const Seeding& seeding) {
+  ChainStatistics result = brightness(seeding);
   MutationStatistics small, large;
   for (const PrimaryChain& chain : chains) {
     result.steps += chain.steps();
@@ -57,11 +65,6 @@ ChainStatistics sum_statistics(std::span<const PrimaryChain> chains) {
     result.acceptance = (small.accepted + large.accepted) / static_cast<double>(result.steps);
   }
   return result;
-}
-
-void describe_normalization(const Seeding& seeding, ChainStatistics& statistics) {
-  statistics.normalization = seeding.normalization();
-  statistics.normalization_error = seeding.standard_error();
 }
 
 }  // namespace guidelight

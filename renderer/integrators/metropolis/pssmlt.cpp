@@ -37,9 +37,7 @@ class Pssmlt : public Integrator {
   }
 
   std::optional<ChainStatistics> chain_statistics() const override {
-    ChainStatistics statistics = sum_statistics(chains_);
-    describe_normalization(pass_.seeding(), statistics);
-    return statistics;
+    return describe_chains(chains_, pass_.seeding());
   }
 
  private:

@@ -1,13 +1,7 @@
 #include "renderer/integrators/photon_mapping/mps.h"
 
-#include "renderer/error.h"
 #include "renderer/integrators/chain_description.h"
 #include "renderer/integrators/photon_mapping/photon_observer.h"
-#include "renderer/metropolis/bidirectional_mutation.h"
-#include "renderer/metropolis/caustic_perturbation.h"
-#include "renderer/metropolis/eye_perturbations.h"
-#include "renderer/metropolis/lens_subpath_mutation.h"
-#include "renderer/metropolis/markov_chain.h"
 #include "renderer/metropolis/seeding.h"
 
 namespace guidelight {
@@ -22,16 +16,16 @@ struct MpsSettings : PhotonMappingSettings {
   int importance_neighbors = 40;
   float max_angle = 30;  // γ of the photon-map perturbation [degrees]
 
-  // The six proposals, relative to each other (Fan et al. 2005, section 5).
-  float guided = 0.1f;
-  float bidirectional = 0.3f;
-  float photon_map = 0.2f;
-  float caustic = 0.1f;
-  float lens = 0.1f;
-  float lens_subpath = 0.2f;
-  // Not of the source: without it, caustics that the eye sees by a mirror or through glass hold a
-  // chain for long, and its photons pile up in one place.
-  float multi_chain = 0.1f;
+  /// The six proposals of the source (Fan et al. 2005, section 5), and the multi-chain
+  /// perturbation: without it, caustics that the eye sees by a mirror or through glass hold a chain
+  /// for long, and its photons pile up in one place.
+  MutationWeights weights{.bidirectional = 0.3f,
+                          .guided = 0.1f,
+                          .lens = 0.1f,
+                          .caustic = 0.1f,
+                          .multi_chain = 0.1f,
+                          .lens_subpath = 0.2f,
+                          .photon_map = 0.2f};
 
   MpsSettings() { alpha = 0.8f; }
   std::vector<Parameter> parameters() override;
@@ -64,19 +58,19 @@ std::vector<Parameter> MpsSettings::parameters() {
     list.push_back({key, label, help, "", &value, 0, 1});
   };
   add("guided", "User paths (UP)", "How often a path follows a guide path, where there is one.",
-      guided);
+      weights.guided);
   add("bidirectional", "Bidirectional (BD)",
-      "How often a part of the path is replaced by an independent one.", bidirectional);
+      "How often a part of the path is replaced by an independent one.", weights.bidirectional);
   add("photon_map", "Photon map (PM)",
       "How often the path turns where the eye's first diffuse vertex sends it back to the light.",
-      photon_map);
+      weights.photon_map);
   add("caustic", "Caustic (CP)",
-      "How often light turns a little where it leaves for what the eye sees.", caustic);
-  add("lens", "Lens (LP)", "How often the path moves a little in the picture.", lens);
+      "How often light turns a little where it leaves for what the eye sees.", weights.caustic);
+  add("lens", "Lens (LP)", "How often the path moves a little in the picture.", weights.lens);
   add("lens_subpath", "Lens subpath (LS)",
-      "How often the path is seen from an independent place in the picture.", lens_subpath);
+      "How often the path is seen from an independent place in the picture.", weights.lens_subpath);
   add("multi_chain", "Multi-chain",
-      "How often a path through several specular surfaces moves a little.", multi_chain);
+      "How often a path through several specular surfaces moves a little.", weights.multi_chain);
   for (Parameter& parameter : PhotonMappingSettings::parameters()) {
     const bool is_of_emission =
         parameter.key == "light_paths" || parameter.key == "guided_fraction";
@@ -93,6 +87,12 @@ PathLengths chain_lengths(const MpsSettings& settings) {
   return {std::max(settings.min_length, kShortest), max};
 }
 
+MutationWeights weights_of(const MpsSettings& settings) {
+  MutationWeights weights = settings.weights;
+  weights.max_angle = glm::radians(settings.max_angle);
+  return weights;
+}
+
 constexpr uint64_t kStream = 0x6d7073ull;
 
 class Mps : public Integrator {
@@ -103,14 +103,8 @@ class Mps : public Integrator {
         lengths_(chain_lengths(settings)),
         sharp_(settings.sharpness),
         leaves_photon_([this](const Path& path) { return photon_site(path, sharp_).has_value(); }),
-        seeding_(*scene_, lengths_, leaves_photon_) {
-    if (settings.bidirectional == 0) {
-      throw Error(
-          "without bidirectional mutations a chain cannot reach every path: give "
-          "'bidirectional' more than 0");
-    }
-    make_mutations();
-  }
+        seeding_(*scene_, lengths_, leaves_photon_),
+        chains_(*scene_, lengths_, weights_of(settings)) {}
 
   void render_pass(uint32_t pass, Film& film, const PassContext& context) override {
     const PhotonMappingPass setup(*scene_, settings_, pass, context.seed);
@@ -120,37 +114,16 @@ class Mps : public Integrator {
   }
 
   std::optional<ChainStatistics> chain_statistics() const override {
-    ChainStatistics statistics = sum_statistics(mutations_, chains_, guides_.get());
-    describe_normalization(seeding_, statistics);
-    return statistics;
+    return describe_chains(chains_, seeding_);
   }
 
  private:
-  /// UP and BD are one hybrid proposal.
-  void make_mutations() {
-    const float hybrid = settings_.bidirectional + (guides_ ? settings_.guided : 0);
-    mutations_ = {};
-    mutations_.add(
-        make_bidirectional_mutation(*scene_, lengths_, guides_, settings_.guided / hybrid), hybrid);
-    mutations_.add(make_photon_map_perturbation(*scene_, settings_.max_angle * kPi / 180),
-                   settings_.photon_map);
-    mutations_.add(make_caustic_perturbation(*scene_), settings_.caustic);
-    mutations_.add(make_lens_perturbation(*scene_), settings_.lens);
-    mutations_.add(make_lens_subpath_mutation(*scene_, lengths_), settings_.lens_subpath);
-    mutations_.add(make_multi_chain_perturbation(*scene_), settings_.multi_chain);
-  }
-
-  void follow(std::shared_ptr<const GuideMixture> guides) {
-    guides_ = std::move(guides);
-    make_mutations();
-    for (MarkovChain& chain : chains_) chain.forget_guides();
-  }
-
   PassPhotons trace(const PhotonMappingPass& setup, const PassContext& context) {
-    if (guides_ != context.guides) follow(context.guides);
+    chains_.follow(context.guides);
+    std::vector<MarkovChain>& chains = chains_.list();
     seeding_.draw(settings_.seed_paths, setup.seed, setup.pass, *context.parallel);
     if (seeding_.normalization() == 0) return {};
-    if (chains_.empty()) start_chains(setup);
+    if (chains.empty()) start_chains(setup);
     // Estimates from more particles reach less far.
     const float growth = std::pow(static_cast<float>(setup.pass) + 1, 1 - settings_.alpha);
     const ImportanceMaps importance(
@@ -159,11 +132,11 @@ class Mps : public Integrator {
          settings_.importance_neighbors},
         *context.parallel);
     const auto steps = static_cast<uint64_t>(std::max(1, settings_.mutations / settings_.chains));
-    const double scale = seeding_.normalization() / static_cast<double>(steps * chains_.size());
-    std::vector<PassPhotons> parts(chains_.size());
-    context.parallel->for_each(chains_.size(), [&](size_t i) {
+    const double scale = seeding_.normalization() / static_cast<double>(steps * chains.size());
+    std::vector<PassPhotons> parts(chains.size());
+    context.parallel->for_each(chains.size(), [&](size_t i) {
       PhotonObserver observer(setup, importance, scale, Rng(setup.seed ^ kStream, ~setup.pass, i));
-      chains_[i].run(steps, observer);
+      chains[i].run(steps, observer);
       parts[i] = observer.photons();
     });
     return join(parts);
@@ -175,8 +148,8 @@ class Mps : public Integrator {
       Rng path_rng = seeding_.start(i, count);
       Path path;
       seeding_.sampler().sample(path, path_rng);
-      chains_.emplace_back(mutations_, std::move(path), Rng(setup.seed ^ kStream, setup.pass, i),
-                           leaves_photon_);
+      chains_.list().emplace_back(chains_.mutations(), std::move(path),
+                                  Rng(setup.seed ^ kStream, setup.pass, i), leaves_photon_);
     }
   }
 
@@ -186,9 +159,7 @@ class Mps : public Integrator {
   SharpScattering sharp_;
   PathFilter leaves_photon_;
   Seeding seeding_;
-  std::shared_ptr<const GuideMixture> guides_;
-  MutationSet mutations_;
-  std::vector<MarkovChain> chains_;
+  GuidedChains chains_;
 };
 
 }  // namespace

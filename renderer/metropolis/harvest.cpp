@@ -1,4 +1,4 @@
-#include "ui/guides/harvest.h"
+#include "renderer/metropolis/harvest.h"
 
 #include <algorithm>
 #include <map>
@@ -11,13 +11,14 @@ namespace {
 
 constexpr int kLongestPath = 12;  // segments
 
-/// A camera whose whole picture is one pixel of another's.
-Camera camera_of_pixel(const Camera& camera, glm::ivec2 pixel) {
+/// A camera whose whole picture is a part of another's.
+Camera camera_of_region(const Camera& camera, const HarvestRegion& region) {
   FilmDescription film = camera.film();
   const bool cropped = film.crop_width > 0;
-  film.crop_x = (cropped ? film.crop_x : 0) + pixel.x;
-  film.crop_y = (cropped ? film.crop_y : 0) + pixel.y;
-  film.crop_width = film.crop_height = 1;
+  film.crop_x = (cropped ? film.crop_x : 0) + region.first.x;
+  film.crop_y = (cropped ? film.crop_y : 0) + region.first.y;
+  film.crop_width = region.last.x - region.first.x;
+  film.crop_height = region.last.y - region.first.y;
   return {camera.description(), film};
 }
 
@@ -57,10 +58,10 @@ struct Way {
 
 }  // namespace
 
-std::vector<HarvestedPath> harvest_pixel(const Scene& scene, glm::ivec2 pixel, int samples,
-                                         size_t count, const std::atomic<bool>& stop) {
-  const auto through_pixel = scene.with_camera(camera_of_pixel(scene.camera(), pixel));
-  const PathSampler sampler(*through_pixel, {2, kLongestPath});
+std::vector<HarvestedPath> harvest(const Scene& scene, const HarvestRegion& region, int samples,
+                                   size_t count, const std::atomic<bool>& stop) {
+  const auto seen = scene.with_camera(camera_of_region(scene.camera(), region));
+  const PathSampler sampler(*seen, {2, kLongestPath});
   std::map<std::vector<uint32_t>, Way> ways;
   double total = 0;
   Path path;
