@@ -10,13 +10,13 @@
 
 #include "renderer/image/tonemap.h"
 #include "renderer/integrators/pixel_history.h"
+#include "renderer/metropolis/harvest.h"
 #include "renderer/scene/scene.h"
 #include "renderer/session/checkpoints.h"
 #include "renderer/session/render_session.h"
 #include "renderer/transport/guide_check.h"
 #include "ui/camera_controller.h"
 #include "ui/guides/guide_editing.h"
-#include "renderer/metropolis/harvest.h"
 #include "ui/messages.h"
 #include "ui/undo_stack.h"
 
