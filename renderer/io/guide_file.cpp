@@ -16,23 +16,23 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-constexpr const char* kMark = "guidelight_guides";
-constexpr int kVersion = 1;
+constexpr const char* kGuideMark = "guidelight_guides";
+constexpr int kGuideVersion = 1;
 constexpr size_t kMaxBytes = size_t{64} << 20;
-constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 constexpr std::array<const char*, 3> kEventNames = {"scatter", "reflect", "refract"};  // PathEvent
 
 /// The shortest decimal number that is read back to the same float.
 json number(float value) { return std::stod(fmt::format("{}", value)); }
 json vector(Vec3 v) { return {number(v.x), number(v.y), number(v.z)}; }
 
-float radians(double degrees) { return static_cast<float>(degrees * kDegree); }
+float radians(double degrees) { return static_cast<float>(degrees * kRadiansPerDegree); }
 
 /// The shortest number of degrees that is read back to the same angle.
 double degrees(float angle) {
-  double rounded = angle / kDegree;
+  double rounded = angle / kRadiansPerDegree;
   for (int digits = 1; digits <= 9; ++digits) {
-    rounded = std::stod(fmt::format("{:.{}g}", angle / kDegree, digits));
+    rounded = std::stod(fmt::format("{:.{}g}", angle / kRadiansPerDegree, digits));
     if (radians(rounded) == angle) break;
   }
   return rounded;
@@ -66,9 +66,9 @@ std::string to_text(const GuidePath& guide) {
 }
 
 /// One object of the file; `where` names it in errors.
-class Reader {
+class GuideReader {
  public:
-  Reader(const json& object, std::string where, std::initializer_list<const char*> known)
+  GuideReader(const json& object, std::string where, std::initializer_list<const char*> known)
       : object_(object), where_(std::move(where)) {
     if (!object.is_object()) fail("it is not an object: write {{ … }}");
     for (const auto& [key, value] : object.items()) {
@@ -124,7 +124,7 @@ class Reader {
   std::string where_;
 };
 
-PathEvent read_event(const Reader& reader) {
+PathEvent read_event(const GuideReader& reader) {
   std::string name = kEventNames[0];
   reader.read("event", name);
   const auto found = std::ranges::find(kEventNames, name);
@@ -135,7 +135,7 @@ PathEvent read_event(const Reader& reader) {
 }
 
 GuideVertex read_vertex(const json& object, const std::string& where) {
-  const Reader reader(object, where, {"position", "event", "cone"});
+  const GuideReader reader(object, where, {"position", "event", "cone"});
   if (!reader.find("position")) reader.fail("'position' is not there: give three numbers");
   GuideVertex vertex;
   reader.read("position", vertex.position);
@@ -144,14 +144,15 @@ GuideVertex read_vertex(const json& object, const std::string& where) {
   if (cone && !cone->is_number()) reader.fail("'cone' is not a number: give degrees");
   if (cone) vertex.cone = radians(cone->get<double>());
   if (!(vertex.cone > 0 && vertex.cone <= 0.5f * kPi)) {
-    reader.fail("the cone is {}: give degrees above 0 and up to 90", vertex.cone / kDegree);
+    reader.fail("the cone is {}: give degrees above 0 and up to 90",
+                vertex.cone / kRadiansPerDegree);
   }
   return vertex;
 }
 
 GuidePath read_guide(const json& object, const std::string& where) {
-  const Reader reader(object, where,
-                      {"name", "color", "enabled", "weight", "disc_radius", "vertices"});
+  const GuideReader reader(object, where,
+                           {"name", "color", "enabled", "weight", "disc_radius", "vertices"});
   GuidePath guide;
   reader.read("name", guide.name);
   reader.read("color", guide.color);
@@ -185,11 +186,11 @@ std::string guide_file_beside(const std::string& scene_path) {
 
 std::vector<GuidePath> parse_guides(const std::string& text, const std::string& where) {
   const json document = parse(text, where);
-  const Reader reader(document, where, {kMark, "guides"});
-  const json* version = reader.find(kMark);
-  if (!version || *version != kVersion) {
-    reader.fail("'{}' is not {}: this is not a file of guides that can be read here", kMark,
-                kVersion);
+  const GuideReader reader(document, where, {kGuideMark, "guides"});
+  const json* version = reader.find(kGuideMark);
+  if (!version || *version != kGuideVersion) {
+    reader.fail("'{}' is not {}: this is not a file of guides that can be read here", kGuideMark,
+                kGuideVersion);
   }
   const json& list = reader.list("guides");
   std::vector<GuidePath> guides;
@@ -204,7 +205,7 @@ std::vector<GuidePath> read_guides(const std::string& path) {
 }
 
 std::string guides_text(const std::vector<GuidePath>& guides) {
-  std::string text = fmt::format("{{\"{}\":{},\"guides\":[", kMark, kVersion);
+  std::string text = fmt::format("{{\"{}\":{},\"guides\":[", kGuideMark, kGuideVersion);
   try {
     for (const GuidePath& guide : guides) {
       text += fmt::format("{}\n  {}", text.back() == '[' ? "" : ",", to_text(guide));

@@ -10,7 +10,7 @@
 namespace guidelight {
 namespace {
 
-constexpr std::string_view kSpaces = " \t\r\v\f";
+constexpr std::string_view kObjSpaces = " \t\r\v\f";
 constexpr int64_t kAbsent = -1;
 
 /// Indices of one corner of a face, from zero.
@@ -34,7 +34,7 @@ class Parser {
     while (!rest.empty()) {
       ++line_;
       const std::string_view line = next_line(rest);
-      const size_t begin = line.find_first_not_of(kSpaces);
+      const size_t begin = line.find_first_not_of(kObjSpaces);
       if (begin != std::string_view::npos) parse_line(line.substr(begin));
     }
     return build();
@@ -55,9 +55,9 @@ class Parser {
 
   /// The next word of a line; empty at its end.
   static std::string_view next_word(std::string_view& rest) {
-    const size_t begin = rest.find_first_not_of(kSpaces);
+    const size_t begin = rest.find_first_not_of(kObjSpaces);
     if (begin == std::string_view::npos) return {};
-    const size_t end = std::min(rest.find_first_of(kSpaces, begin), rest.size());
+    const size_t end = std::min(rest.find_first_of(kObjSpaces, begin), rest.size());
     const std::string_view word = rest.substr(begin, end - begin);
     rest.remove_prefix(end);
     return word;

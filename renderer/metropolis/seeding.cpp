@@ -8,9 +8,9 @@ namespace guidelight {
 namespace {
 
 /// Random numbers of path i; chains have other streams.
-constexpr uint64_t kStream = 0x5eed;
+constexpr uint64_t kSeedStream = 0x5eed;
 
-Rng path_rng(uint64_t seed, uint64_t pass, size_t i) { return {seed ^ kStream, pass, i}; }
+Rng path_rng(uint64_t seed, uint64_t pass, size_t i) { return {seed ^ kSeedStream, pass, i}; }
 
 }  // namespace
 
@@ -39,7 +39,7 @@ double Seeding::standard_error() const {
 
 Rng Seeding::start(size_t chain, size_t chains) const {
   // Stratified: as many chains as possible start from different paths.
-  const float jitter = Rng(seed_ ^ ~kStream, pass_, chain).next_float();
+  const float jitter = Rng(seed_ ^ ~kSeedStream, pass_, chain).next_float();
   const auto u = (static_cast<float>(chain) + jitter) / static_cast<float>(chains);
   const uint32_t chosen = starts_.sample(std::min(u, kOneMinusEpsilon)).index;
   return path_rng(seed_, pass_, chosen);

@@ -6,7 +6,7 @@ namespace guidelight {
 
 namespace {
 
-constexpr int kMaxDepth = 16;
+constexpr int kMaxTreeDepth = 16;
 
 int octant(const Bounds& box, Vec3 p) {
   const Vec3 center = box.center();
@@ -61,7 +61,7 @@ void IrradianceCache::insert_into(size_t node, const Bounds& box, uint32_t recor
   // In nodes about as large as the record's reach, in all that it touches.
   const IrradianceRecord& added = records_[record];
   const float reach = settings_.accuracy * added.distance;
-  if (depth == kMaxDepth || box.upper.x - box.lower.x <= 2 * reach) {
+  if (depth == kMaxTreeDepth || box.upper.x - box.lower.x <= 2 * reach) {
     nodes_[node].records.push_back(record);
     return;
   }

@@ -9,7 +9,7 @@ namespace guidelight {
 
 namespace {
 
-constexpr uint64_t kStream = 0x696d706f7274ull;
+constexpr uint64_t kImportanceStream = 0x696d706f7274ull;
 
 /// A pinhole sees a place along one line; through a lens it takes an integral.
 bool sees_along_lines(const Camera& camera) { return camera.has_pinhole(); }
@@ -27,7 +27,7 @@ class EyeWalk {
     const Camera& camera = setup_.scene.camera();
     std::vector<Subpath> paths;
     for (size_t i = first; i < last; ++i) {
-      Rng rng(setup_.seed ^ kStream, setup_.pass, i);
+      Rng rng(setup_.seed ^ kImportanceStream, setup_.pass, i);
       const Vec2 raster = rng.next_vec2() * Vec2(camera.width(), camera.height());
       paths.push_back(start_camera_path(setup_.scene, raster, rng));
     }

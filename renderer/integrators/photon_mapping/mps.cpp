@@ -93,7 +93,7 @@ MutationWeights weights_of(const MpsSettings& settings) {
   return weights;
 }
 
-constexpr uint64_t kStream = 0x6d7073ull;
+constexpr uint64_t kChainStream = 0x6d7073ull;
 
 class Mps : public Integrator {
  public:
@@ -135,7 +135,8 @@ class Mps : public Integrator {
     const double scale = seeding_.normalization() / static_cast<double>(steps * chains.size());
     std::vector<PassPhotons> parts(chains.size());
     context.parallel->for_each(chains.size(), [&](size_t i) {
-      PhotonObserver observer(setup, importance, scale, Rng(setup.seed ^ kStream, ~setup.pass, i));
+      PhotonObserver observer(setup, importance, scale,
+                              Rng(setup.seed ^ kChainStream, ~setup.pass, i));
       chains[i].run(steps, observer);
       parts[i] = observer.photons();
     });
@@ -149,7 +150,7 @@ class Mps : public Integrator {
       Path path;
       seeding_.sampler().sample(path, path_rng);
       chains_.list().emplace_back(chains_.mutations(), std::move(path),
-                                  Rng(setup.seed ^ kStream, setup.pass, i), leaves_photon_);
+                                  Rng(setup.seed ^ kChainStream, setup.pass, i), leaves_photon_);
     }
   }
 
