@@ -18,7 +18,7 @@ TEST(Harvest, finds_the_ways_of_light_as_guides) {
     for (size_t i = 0; i < found.size(); ++i) {
       EXPECT_TRUE(check_guide(*scene, found[i].guide).empty())
           << comparison.name << ", " << found[i].guide.name;
-      if (i > 0) EXPECT_LE(found[i].share, found[i - 1].share);
+      EXPECT_LE(found[i].share, found[i > 0 ? i - 1 : 0].share);
       sum += found[i].share;
     }
     EXPECT_GT(sum, 0.2) << comparison.name;
