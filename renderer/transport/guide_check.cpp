@@ -81,6 +81,10 @@ class Placing {
 
   PlacedGuide run() {
     const auto& vertices = guide_.vertices;
+    if (const auto far = far_vertex()) {
+      fault(*far, "it is far outside of the scene: move it into it");
+      return {};
+    }
     const Vec3 first = vertices[1].position - vertices[0].position;
     if (!(glm::length(first) > 0)) {
       fault(1, "it is where the vertex before is: move one of them");
@@ -104,6 +108,17 @@ class Placing {
 
  private:
   void fault(int vertex, std::string message) { faults_.emplace_back(vertex, std::move(message)); }
+
+  /// A vertex from which directions could not be computed any more.
+  std::optional<int> far_vertex() const {
+    constexpr float kFar = 1e6f;  // radii of the scene
+    const Bounds bounds = scene_.bounds();
+    for (size_t i = 0; i < guide_.vertices.size(); ++i) {
+      const float distance = glm::distance(guide_.vertices[i].position, bounds.center());
+      if (!(distance <= kFar * bounds.radius())) return static_cast<int>(i);
+    }
+    return std::nullopt;
+  }
 
   Ray first_ray(const LightOrigin& origin) const {
     const Vec3 direction = glm::normalize(guide_.vertices[1].position - origin.point.position);
