@@ -61,7 +61,7 @@ GapTable::GapTable(int size, const PathLengths& lengths)
       for (int new_size = lengths.min + 1; new_size <= lengths.max + 1; ++new_size) {
         const Gap gap{from_light, new_size - from_light - from_eye, from_eye};
         const bool changes = removed + gap.inserted > 0;
-        if (!gap.is_possible() || gap.inserted < 0 || !changes) continue;
+        if (!gap.is_possible() || !changes) continue;
         if (size_weights.empty()) cut.min_size = new_size;
         size_weights.push_back(growth_weight(new_size - size));
       }

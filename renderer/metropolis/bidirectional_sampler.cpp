@@ -12,16 +12,15 @@ bool BidirectionalSampler::Gap::is_possible() const {
   return sides && inserted >= ends && from_light >= 0 && from_eye >= 0;
 }
 
-BidirectionalSampler::Splits BidirectionalSampler::splits(const Gap& gap) {
+int BidirectionalSampler::technique_count(const Gap& gap) {
   // The lens is never found by chance.
-  return {0, gap.from_eye == 0 ? gap.inserted - 1 : gap.inserted};
+  return gap.from_eye == 0 ? gap.inserted : gap.inserted + 1;
 }
 
 template <typename Random>
 bool BidirectionalSampler::fill(const Gap& gap, Path& y, Random& rng) const {
-  const Splits possible = splits(gap);
-  const int from_light =
-      possible.first + static_cast<int>(rng.next_float() * static_cast<float>(possible.count()));
+  const auto techniques = static_cast<float>(technique_count(gap));
+  const int from_light = static_cast<int>(rng.next_float() * techniques);
   const int s = gap.from_light + from_light;  // vertices on the light's side
   if (!grow_from_light(gap, from_light, y, rng)) return false;
   if (!grow_from_eye(gap, gap.inserted - from_light, y, rng)) return false;
@@ -67,17 +66,17 @@ bool BidirectionalSampler::grow_from_eye(const Gap& gap, int count, Path& y, Ran
 }
 
 double BidirectionalSampler::density(const Gap& gap, const Path& y) const {
-  const Splits possible = splits(gap);
+  const int techniques = technique_count(gap);
   double sum = 0;
-  for (int split = possible.first; split <= possible.last; ++split) {
-    const int s = gap.from_light + split;
+  for (int from_light = 0; from_light < techniques; ++from_light) {
+    const int s = gap.from_light + from_light;
     if (!y.is_connectible_edge(s)) continue;
     double pdf = 1;
     for (int i = gap.from_light; i < s; ++i) pdf *= y.pdf_from_light(i);
     for (int i = s; i < gap.from_light + gap.inserted; ++i) pdf *= y.pdf_from_eye(i);
     sum += pdf;
   }
-  return sum / possible.count();
+  return sum / techniques;
 }
 
 PathSampler::PathSampler(const Scene& scene, const PathLengths& lengths, PathFilter filter)

@@ -33,13 +33,8 @@ class BidirectionalSampler {
   double density(const Gap& gap, const Path& y) const;
 
  private:
-  /// Vertices that continue the light's side: any number in [first, last].
-  struct Splits {
-    int first;
-    int last;
-    int count() const { return last - first + 1; }
-  };
-  static Splits splits(const Gap& gap);
+  /// Techniques that fill a gap: from 0 to one less of its vertices continue the light's side.
+  static int technique_count(const Gap& gap);
   template <typename Random>
   bool grow_from_light(const Gap& gap, int count, Path& y, Random& rng) const;
   template <typename Random>

@@ -66,7 +66,6 @@ class CausticPerturbation final : public Mutation {
       return {x.points[1].point.position + across - back * start.direction, start.direction};
     }
     const Vec3 direction = deflect(start.direction, offset, u);
-    if (from == 0 && x.light->is_delta_position()) return {start.point.position, direction};
     return start.point.spawn_ray(direction);
   }
 

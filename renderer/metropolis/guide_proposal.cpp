@@ -18,12 +18,6 @@ int kept_from_eye(const Path& x) {
   return first > 0 ? x.size() - first : 0;
 }
 
-Lobe lobe_of(PathEvent event) {
-  return event == PathEvent::Reflect   ? kLobeDeltaReflection
-         : event == PathEvent::Refract ? kLobeDeltaTransmission
-                                       : kLobeNone;
-}
-
 }  // namespace
 
 bool GuideProposal::propose(const Path& x, int max_length, Path& y, Rng& rng) const {

@@ -14,8 +14,7 @@ float MutationSet::suitable_weight(const Path& x) const {
   return sum;
 }
 
-size_t MutationSet::choose(const Path& x, float u) const {
-  float remaining = u * suitable_weight(x);
+size_t MutationSet::choose(const Path& x, float remaining) const {
   size_t last = 0;
   for (size_t i = 0; i < entries_.size(); ++i) {
     if (!entries_[i].mutation->is_suitable(x)) continue;

@@ -33,9 +33,8 @@ class MutationSet {
 
   /// Sum of the weights of those that suit a path.
   float suitable_weight(const Path& x) const;
-  /// One of them, u in [0,1).
-  size_t choose(const Path& x, float u) const;
-  float weight(size_t i) const { return entries_[i].weight; }
+  /// One of them: that at `remaining` of their weights, below suitable_weight(x).
+  size_t choose(const Path& x, float remaining) const;
 
  private:
   struct Entry {
@@ -97,7 +96,7 @@ void MarkovChain::show(const Path& path, double weight, size_t origin, Observe& 
 template <typename Observe>
 void MarkovChain::run(uint64_t steps, Observe&& observe) {
   for (uint64_t step = 0; step < steps; ++step) {
-    const size_t mutation = mutations_.choose(current_, rng_.next_float());
+    const size_t mutation = mutations_.choose(current_, rng_.next_float() * suitable_weight_);
     const double acceptance = propose(mutation);
     statistics_[mutation].proposed += 1;
     statistics_[mutation].accepted += acceptance;

@@ -36,7 +36,8 @@ struct SurfacePoint {
   uint32_t instance = kInvalidIndex;
 
   /// How far a ray's origin must be moved along the normal so that rounding cannot make it hit this
-  /// surface again. It scales with the arithmetic that produced the point, not with the scene.
+  /// surface again. It scales with the arithmetic that produced the point, not with the scene, and
+  /// is 0 for a point that is on no surface.
   float offset = 0;
 
   /// A ray origin just off the surface, on the side that `direction` points to.

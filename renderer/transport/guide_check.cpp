@@ -122,8 +122,7 @@ class Placing {
 
   Ray first_ray(const LightOrigin& origin) const {
     const Vec3 direction = glm::normalize(guide_.vertices[1].position - origin.point.position);
-    return origin.point.light ? origin.point.spawn_ray(direction)
-                              : Ray{origin.point.position, direction, kInfinity};
+    return origin.point.spawn_ray(direction);
   }
 
   std::optional<SurfacePoint> arrive(int i) {

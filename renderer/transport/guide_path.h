@@ -21,6 +21,13 @@ inline PathEvent path_event(Lobe lobe) {
                                           : PathEvent::Scatter;
 }
 
+/// The lobe that an event needs; none where the direction is free.
+inline Lobe lobe_of(PathEvent event) {
+  return event == PathEvent::Reflect   ? kLobeDeltaReflection
+         : event == PathEvent::Refract ? kLobeDeltaTransmission
+                                       : kLobeNone;
+}
+
 /// Directions of a fresh guide lie within this angle of it [rad]: 5°.
 inline constexpr float kDefaultGuideCone = 5 * kPi / 180;
 

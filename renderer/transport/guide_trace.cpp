@@ -73,8 +73,7 @@ std::optional<GuidePath> trace_segments(const Scene& scene, Vec3 start, Vec3 dir
   const auto origin = find_light(scene, start, direction);
   if (!origin) return std::nullopt;
   guide.vertices.push_back({origin->point.position});
-  Ray ray = origin->point.light ? origin->point.spawn_ray(direction)
-                                : Ray{origin->point.position, direction, kInfinity};
+  Ray ray = origin->point.spawn_ray(direction);
   for (size_t i = 0; i < count;) {
     const auto segment = trace_guide_segment(scene, ray, choice);
     if (!segment) break;
@@ -111,9 +110,7 @@ std::optional<GuideSegment> solve_guide_segment(const Scene& scene, const Surfac
   constexpr float kDelta = 1e-3f;  // [rad], for differences
   const float close_enough = 0.01f * guide_tolerance(scene);
   const auto shoot = [&](Vec3 direction) {
-    const Ray ray = from.light || from.bsdf ? from.spawn_ray(direction)
-                                            : Ray{from.position, direction, kInfinity};
-    return trace_guide_segment(scene, ray, choice);
+    return trace_guide_segment(scene, from.spawn_ray(direction), choice);
   };
   auto best = shoot(guess);
   if (!best) return std::nullopt;

@@ -39,18 +39,12 @@ float GuidedWalk::emit(const Light& light, const EmissionSample& emission, doubl
 std::optional<ScatteringSample> GuidedWalk::sample(int i, const Scattering& scattering,
                                                    Rng& rng) const {
   const GuideMixture& mixture = *emission_.mixture;
-  switch (mixture.event(guide_, i)) {
-    case PathEvent::Reflect:
-      return scattering.specular(kLobeDeltaReflection);
-    case PathEvent::Refract:
-      return scattering.specular(kLobeDeltaTransmission);
-    case PathEvent::Scatter:
-      break;
-  }
+  const PathEvent event = mixture.event(guide_, i);
+  if (event != PathEvent::Scatter) return scattering.specular(lobe_of(event));
   const Vec3 wi = mixture.sample_direction(guide_, i, rng.next_vec2());
-  const float pdf = scattering.pdf(wi);
-  if (!(pdf > 0)) return std::nullopt;
-  return ScatteringSample{wi, scattering.value(wi) / pdf, pdf, 1, kLobeGlossy};
+  const BsdfEvaluation bsdf = scattering.evaluate(wi);
+  if (!(bsdf.pdf > 0)) return std::nullopt;
+  return ScatteringSample{wi, bsdf.value / bsdf.pdf, bsdf.pdf, 1, kLobeGlossy};
 }
 
 float GuidedWalk::scatter(int i, const Scattering& scattering, const ScatteringSample& sample,

@@ -188,14 +188,6 @@ bool Path::is_connectible_edge(int i) const {
   return length() > 1 && i < size() && is_finite(i - 1) && is_finite(i);
 }
 
-double Path::technique_pdf(int s) const {
-  if (!is_connectible_edge(s)) return 0;
-  double pdf = 1;
-  for (int i = 0; i < s; ++i) pdf *= pdf_from_light(i);
-  for (int i = s; i < size(); ++i) pdf *= pdf_from_eye(i);
-  return pdf;
-}
-
 namespace {
 
 bool same_place(const PathPoint& a, const PathPoint& b) {

@@ -71,9 +71,6 @@ class Path {
   /// light cannot be hit.
   double hit_probability() const { return hit_probability_; }
 
-  /// Density of the bidirectional technique with s vertices drawn from the light and the others
-  /// from the eye; 0 where the technique cannot make this path.
-  double technique_pdf(int s) const;
   /// Whether vertices i - 1 and i may be joined by a connection. A light and the lens may not: what
   /// they see of each other is for paths from the eye.
   bool is_connectible_edge(int i) const;

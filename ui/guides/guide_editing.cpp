@@ -49,9 +49,8 @@ class Retracing {
     const auto start = surface_at(from);
     if (!start || start->position == towards) return to;
     const Vec3 direction = glm::normalize(towards - start->position);
-    const Ray ray =
-        start->bsdf ? start->spawn_ray(direction) : Ray{start->position, direction, kInfinity};
-    const auto segment = trace_guide_segment(scene_, ray, choice_after(from));
+    const auto segment =
+        trace_guide_segment(scene_, start->spawn_ray(direction), choice_after(from));
     return segment ? replace(from, to, *segment) : to;
   }
 
@@ -117,8 +116,7 @@ GuideCandidates::Candidate draw_candidate(const Scene& scene, const GuideMixture
       if (is_black(scattering.value(direction))) return candidate;
       ray = point.spawn_ray(direction);
     } else {
-      const auto next = scattering.specular(event == PathEvent::Reflect ? kLobeDeltaReflection
-                                                                        : kLobeDeltaTransmission);
+      const auto next = scattering.specular(lobe_of(event));
       if (!next) return candidate;
       ray = point.spawn_ray(next->wi);
     }
