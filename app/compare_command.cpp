@@ -1,11 +1,10 @@
 #include <fmt/core.h>
 
-#include <algorithm>
-
 #include "app/commands.h"
 #include "app/scene_arguments.h"
 #include "renderer/error.h"
 #include "renderer/image/metrics.h"
+#include "renderer/image/pixel_region.h"
 #include "renderer/image/tonemap.h"
 #include "renderer/io/image_file.h"
 #include "renderer/io/metrics_json.h"
@@ -22,6 +21,9 @@ struct CompareCommand {
   bool json = false;
 
   void run() const;
+
+ private:
+  Image read(const std::string& path) const;
 };
 
 void print_measure(const char* name, const ErrorMeasure& measure) {
@@ -41,28 +43,16 @@ void print_table(const ImageMetrics& m) {
              m.not_finite, m.black_reference);
 }
 
-/// The part of a picture that --crop names.
-Image cropped(const Image& image, const std::string& crop) {
-  if (crop.empty()) return image;
-  const std::vector<int> c = split_numbers("--crop", crop, ',', 4);
-  const bool inside = 0 <= c[0] && c[0] < c[2] && c[2] <= image.width() && 0 <= c[1] &&
-                      c[1] < c[3] && c[3] <= image.height();
-  if (!inside) {
-    throw Error("--crop {}: the picture has {}x{} pixels: give x0,y0,x1,y1 inside it", crop,
-                image.width(), image.height());
-  }
-  Image part(c[2] - c[0], c[3] - c[1], image.channels());
-  for (int y = 0; y < part.height(); ++y) {
-    for (int x = 0; x < part.width(); ++x) {
-      std::copy_n(image.pixel(c[0] + x, c[1] + y), image.channels(), part.pixel(x, y));
-    }
-  }
-  return part;
+/// A picture, or the part of it that --crop names.
+Image CompareCommand::read(const std::string& path) const {
+  Image picture = read_image(path, ColorSpace::Linear);
+  if (crop.empty()) return picture;
+  return cropped(picture, parse_region("--crop", crop, picture.width(), picture.height()));
 }
 
 void CompareCommand::run() const {
-  const Image a = cropped(read_image(image, ColorSpace::Linear), crop);
-  const Image b = cropped(read_image(reference, ColorSpace::Linear), crop);
+  const Image a = read(image);
+  const Image b = read(reference);
   const ImageMetrics metrics = compare_images(a, b);
   if (json) {
     fmt::print("{}\n", metrics_json(metrics));

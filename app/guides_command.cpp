@@ -165,7 +165,7 @@ struct HarvestCommand {
   void run() const;
 
  private:
-  HarvestRegion region(const Camera& camera) const;
+  PixelRegion region(const Camera& camera) const;
 };
 
 void HarvestCommand::add_to(CLI::App& command) {
@@ -181,22 +181,12 @@ void HarvestCommand::add_to(CLI::App& command) {
   command.add_option("-o,--output", output, "File of guides to add them to, made if there is none");
 }
 
-HarvestRegion HarvestCommand::region(const Camera& camera) const {
-  HarvestRegion region;
-  if (!crop.empty()) {
-    const std::vector<int> c = split_numbers("--crop", crop, ',', 4);
-    region = {{c[0], c[1]}, {c[2], c[3]}};
-  } else if (!pixel.empty()) {
-    const std::vector<int> p = split_numbers("--pixel", pixel, ',', 2);
-    region = HarvestRegion::pixel({p[0], p[1]});
-  } else {
-    throw Error("no part of the picture is named: give --pixel or --crop");
-  }
-  if (!region.is_within(camera)) {
-    throw Error("the picture has {}x{} pixels: name some inside it", camera.width(),
-                camera.height());
-  }
-  return region;
+PixelRegion HarvestCommand::region(const Camera& camera) const {
+  const int width = camera.width();
+  const int height = camera.height();
+  if (!crop.empty()) return parse_region("--crop", crop, width, height);
+  if (!pixel.empty()) return parse_pixel("--pixel", pixel, width, height);
+  throw Error("no part of the picture is named: give --pixel or --crop");
 }
 
 void HarvestCommand::run() const {

@@ -76,24 +76,13 @@ RenderJob RenderCommand::make_job() const {
   if (targets.passes == 0 && targets.seconds == 0 && targets.relative_error == 0) {
     job.targets.passes = description.hints.samples_per_pixel.value_or(kDefaultPasses);
   }
-  const FilmDescription& film = description.film;
-  if (!crop.empty()) {
-    const std::vector<int> c = split_numbers("--crop", crop, ',', 4);
-    job.region = PixelRegion{c[0], c[1], c[2], c[3]};
-    if (c[0] < 0 || c[1] < 0 || c[2] > film.width || c[3] > film.height || c[0] >= c[2] ||
-        c[1] >= c[3]) {
-      throw Error("--crop {}: the picture has {}x{} pixels: give x0,y0,x1,y1 inside it", crop,
-                  film.width, film.height);
-    }
-  } else if (film.crop_width > 0 && film.crop_height > 0) {
-    job.region = PixelRegion{film.crop_x, film.crop_y, film.crop_x + film.crop_width,
-                             film.crop_y + film.crop_height};
-  }
+  const Camera& camera = job.scene->camera();
+  if (!crop.empty()) job.region = parse_region("--crop", crop, camera.width(), camera.height());
   if (resume && std::filesystem::exists(checkpoint)) {
     job.resume_from = resume_from(read_checkpoint(checkpoint), job, checkpoint);
   }
   if (!techniques.empty()) {
-    job.techniques = std::make_shared<TechniqueImages>(film.width, film.height);
+    job.techniques = std::make_shared<TechniqueImages>(camera.width(), camera.height());
   }
   if (!checkpoint.empty()) job.save = save_to(checkpoint, job);
   return job;

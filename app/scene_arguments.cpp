@@ -58,4 +58,25 @@ std::vector<int> split_numbers(const std::string& option, const std::string& tex
   return numbers;
 }
 
+PixelRegion parse_region(const std::string& option, const std::string& text, int width,
+                         int height) {
+  const std::vector<int> n = split_numbers(option, text, ',', 4);
+  const PixelRegion region{n[0], n[1], n[2], n[3]};
+  if (!region.is_within(width, height)) {
+    throw Error("{} {}: the picture has {}x{} pixels: give x0,y0,x1,y1 inside it", option, text,
+                width, height);
+  }
+  return region;
+}
+
+PixelRegion parse_pixel(const std::string& option, const std::string& text, int width, int height) {
+  const std::vector<int> n = split_numbers(option, text, ',', 2);
+  const auto pixel = PixelRegion::pixel({n[0], n[1]});
+  if (!pixel.is_within(width, height)) {
+    throw Error("{} {}: the picture has {}x{} pixels: give x,y inside it", option, text, width,
+                height);
+  }
+  return pixel;
+}
+
 }  // namespace guidelight

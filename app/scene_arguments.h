@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/image/pixel_region.h"
 #include "renderer/scene/description.h"
 
 namespace guidelight {
@@ -29,5 +30,10 @@ std::pair<std::string, std::string> split_assignment(const std::string& option,
 /// `count` whole numbers.
 std::vector<int> split_numbers(const std::string& option, const std::string& text, char separator,
                                size_t count);
+
+/// Pixels of a picture, "x0,y0,x1,y1" (without x1 and y1) or one, "x,y". Throw Error unless they
+/// are inside it.
+PixelRegion parse_region(const std::string& option, const std::string& text, int width, int height);
+PixelRegion parse_pixel(const std::string& option, const std::string& text, int width, int height);
 
 }  // namespace guidelight

@@ -6,22 +6,13 @@
 #include <vector>
 
 #include "renderer/image/film.h"
+#include "renderer/image/pixel_region.h"
 #include "renderer/integrators/chain_statistics.h"
 #include "renderer/integrators/parameters.h"
 #include "renderer/parallel/parallel.h"
 #include "renderer/scene/scene.h"
 
 namespace guidelight {
-
-/// Pixels [x0,x1) × [y0,y1).
-struct PixelRegion {
-  int x0 = 0;
-  int y0 = 0;
-  int x1 = 0;
-  int y1 = 0;
-
-  bool operator==(const PixelRegion&) const = default;
-};
 
 class GuideMixture;
 class PhotonRequest;

@@ -1,7 +1,5 @@
 #include "renderer/integrators/tiles.h"
 
-#include <algorithm>
-
 namespace guidelight {
 
 namespace {
@@ -12,15 +10,12 @@ struct Tiling {
   int columns;
   int rows;
 
-  Tiling(const Film& film, const PassContext& context) : region{0, 0, film.width(), film.height()} {
-    if (context.region) {
-      region.x0 = std::clamp(context.region->x0, 0, region.x1);
-      region.y0 = std::clamp(context.region->y0, 0, region.y1);
-      region.x1 = std::clamp(context.region->x1, region.x0, region.x1);
-      region.y1 = std::clamp(context.region->y1, region.y0, region.y1);
-    }
-    columns = (region.x1 - region.x0 + kTileSize - 1) / kTileSize;
-    rows = (region.y1 - region.y0 + kTileSize - 1) / kTileSize;
+  Tiling(const Film& film, const PassContext& context)
+      : region(PixelRegion::whole(film.width(), film.height())) {
+    if (context.region) region = intersection(region, *context.region);
+    if (region.empty()) region = {};
+    columns = (region.width() + kTileSize - 1) / kTileSize;
+    rows = (region.height() + kTileSize - 1) / kTileSize;
   }
 
   size_t count() const { return static_cast<size_t>(columns) * rows; }
@@ -28,7 +23,7 @@ struct Tiling {
   PixelRegion tile(size_t i) const {
     const int x0 = region.x0 + static_cast<int>(i % columns) * kTileSize;
     const int y0 = region.y0 + static_cast<int>(i / columns) * kTileSize;
-    return {x0, y0, std::min(x0 + kTileSize, region.x1), std::min(y0 + kTileSize, region.y1)};
+    return intersection(region, {x0, y0, x0 + kTileSize, y0 + kTileSize});
   }
 };
 

@@ -12,13 +12,13 @@ namespace {
 constexpr int kLongestPath = 12;  // segments
 
 /// A camera whose whole picture is a part of another's.
-Camera camera_of_region(const Camera& camera, const HarvestRegion& region) {
+Camera camera_of_region(const Camera& camera, const PixelRegion& region) {
   FilmDescription film = camera.film();
   const bool cropped = film.crop_width > 0;
-  film.crop_x = (cropped ? film.crop_x : 0) + region.first.x;
-  film.crop_y = (cropped ? film.crop_y : 0) + region.first.y;
-  film.crop_width = region.last.x - region.first.x;
-  film.crop_height = region.last.y - region.first.y;
+  film.crop_x = (cropped ? film.crop_x : 0) + region.x0;
+  film.crop_y = (cropped ? film.crop_y : 0) + region.y0;
+  film.crop_width = region.width();
+  film.crop_height = region.height();
   return {camera.description(), film};
 }
 
@@ -58,7 +58,7 @@ struct Way {
 
 }  // namespace
 
-std::vector<HarvestedPath> harvest(const Scene& scene, const HarvestRegion& region, int samples,
+std::vector<HarvestedPath> harvest(const Scene& scene, const PixelRegion& region, int samples,
                                    size_t count, const std::atomic<bool>& stop) {
   const auto seen = scene.with_camera(camera_of_region(scene.camera(), region));
   const PathSampler sampler(*seen, {2, kLongestPath});

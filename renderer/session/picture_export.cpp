@@ -25,20 +25,13 @@ std::string matrix_text(const Mat4& m) {
 /// The job's region of an image, or all of it. Coarse pictures are kept whole.
 Image crop(const Image& image, const RenderJob& job, const Snapshot& snapshot) {
   if (!job.region || snapshot.coarse) return image;
-  const int x0 = std::clamp(job.region->x0, 0, image.width());
-  const int y0 = std::clamp(job.region->y0, 0, image.height());
-  const int x1 = std::clamp(job.region->x1, x0, image.width());
-  const int y1 = std::clamp(job.region->y1, y0, image.height());
-  Image result(x1 - x0, y1 - y0, image.channels());
-  if (result.empty()) {
+  const auto whole = PixelRegion::whole(image.width(), image.height());
+  const PixelRegion shown = intersection(*job.region, whole);
+  if (shown.empty()) {
     throw Error("the render region lies outside the {}x{} picture: choose one inside",
                 image.width(), image.height());
   }
-  for (int y = y0; y < y1; ++y) {
-    std::copy_n(image.pixel(x0, y), static_cast<size_t>(result.width()) * image.channels(),
-                result.pixel(0, y - y0));
-  }
-  return result;
+  return cropped(image, shown);
 }
 
 std::string extension(const std::string& path) {

@@ -94,6 +94,26 @@ TEST_F(CommandLine, a_crop_holds_the_pixels_of_the_whole) {
   EXPECT_EQ(crop.color(3, 4), whole.color(8, 10));
 }
 
+TEST_F(CommandLine, a_scene_with_a_crop_window_is_rendered_in_that_size) {
+  std::ofstream(path("crop.xml")) << R"(<scene version="3.0.0">
+      <sensor type="perspective">
+        <film type="hdrfilm">
+          <integer name="width" value="48"/> <integer name="height" value="32"/>
+          <integer name="crop_offset_x" value="20"/> <integer name="crop_offset_y" value="9"/>
+          <integer name="crop_width" value="16"/> <integer name="crop_height" value="12"/>
+        </film>
+      </sensor>
+      <emitter type="constant"/>
+    </scene>)";
+  const Outcome outcome = run("render crop.xml -o window.exr -o window.png --spp 1");
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  const Image picture = read_image(path("window.exr"));
+  ASSERT_EQ(picture.width(), 16);
+  ASSERT_EQ(picture.height(), 12);
+  EXPECT_THAT(picture.color(15, 11).y, ::testing::FloatEq(picture.color(0, 0).y));
+  EXPECT_GT(picture.color(0, 0).y, 0);
+}
+
 TEST_F(CommandLine, stops_by_time_and_by_error) {
   const Outcome timed = render("-o t.exr --time 0.3");
   EXPECT_EQ(timed.status, 0) << timed.text;

@@ -23,8 +23,7 @@ void Harvester::update(bool wanted) {
   busy_ = true;
   document_.harvest().searching = true;
   worker_.run([this, subject, scene = document_.current_scene()] {
-    auto paths =
-        harvest(*scene, HarvestRegion::pixel(*subject.pixel), kSamples, kPathsShown, stop_);
+    auto paths = harvest(*scene, PixelRegion::pixel(*subject.pixel), kSamples, kPathsShown, stop_);
     queue_.post([this, subject, paths = std::move(paths)] {
       busy_ = false;
       stop_ = false;
