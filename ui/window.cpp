@@ -128,7 +128,8 @@ void Window::install_callbacks() {
 }
 
 /// ImGui looks at keys once per frame, so one that is pressed and released between two frames would
-/// be lost: it is released for ImGui after the next frame.
+/// be lost: it is released for ImGui after that frame. Not during it: ImGui demands that modifiers
+/// stay as they are until it ends.
 void Window::take_key(const Key& key, int action) {
   const bool press_unseen = std::ranges::find(pressed_, key.key, &Key::key) != pressed_.end();
   if (action == GLFW_RELEASE && press_unseen) {
@@ -194,11 +195,11 @@ void Window::begin_frame() {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();
-  release_late_keys();
 }
 
 void Window::end_frame(DisplayImage* capture) {
   ImGui::Render();
+  release_late_keys();
   int width = 0, height = 0;
   glfwGetFramebufferSize(window_, &width, &height);
   glViewport(0, 0, width, height);

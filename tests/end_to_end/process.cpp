@@ -17,12 +17,11 @@ namespace {
 
 using namespace std::chrono_literals;
 
-enum class Talk { Shown, Silenced };
-
-/// Starts a program that dies with this process. Returns its process id.
+/// Starts a program that dies with this process; `stream` goes to a file unless its name is empty.
+/// Returns its process id.
 pid_t start_program(const std::vector<std::string>& command,
                     const std::vector<std::string>& environment, const std::string& folder,
-                    Talk talk) {
+                    const std::string& output, int stream) {
   std::vector<char*> arguments;
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
@@ -30,7 +29,7 @@ pid_t start_program(const std::vector<std::string>& command,
   if (pid != 0) return pid;
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   for (const std::string& variable : environment) putenv(const_cast<char*>(variable.c_str()));
-  if (talk == Talk::Silenced) dup2(open("/dev/null", O_WRONLY), STDERR_FILENO);
+  if (!output.empty()) dup2(open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644), stream);
   if (!folder.empty() && chdir(folder.c_str()) != 0) _exit(126);
   execvp(arguments[0], arguments.data());
   _exit(127);
@@ -65,8 +64,9 @@ bool wait_until(const std::function<bool()>& condition, std::chrono::millisecond
 }
 
 ChildProcess::ChildProcess(const std::vector<std::string>& command,
-                           const std::vector<std::string>& environment, const std::string& folder)
-    : pid_(start_program(command, environment, folder, Talk::Shown)) {}
+                           const std::vector<std::string>& environment, const std::string& folder,
+                           const std::string& output)
+    : pid_(start_program(command, environment, folder, output, STDOUT_FILENO)) {}
 
 ChildProcess::~ChildProcess() {
   if (!status_) end_program(pid_);
@@ -98,6 +98,14 @@ double ChildProcess::cpu_seconds() const {
   return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
+/// The second field of /proc/PID/statm, in pages.
+size_t ChildProcess::resident_bytes() const {
+  std::ifstream file("/proc/" + std::to_string(pid_) + "/statm");
+  size_t pages = 0;
+  file >> pages >> pages;
+  return pages * static_cast<size_t>(sysconf(_SC_PAGESIZE));
+}
+
 std::unique_ptr<VirtualDisplay> VirtualDisplay::start(int width, int height) {
   int ends[2];
   if (pipe(ends) != 0) return nullptr;
@@ -105,7 +113,7 @@ std::unique_ptr<VirtualDisplay> VirtualDisplay::start(int width, int height) {
   const std::string screen = std::to_string(width) + "x" + std::to_string(height) + "x24";
   const pid_t pid = start_program({"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0",
                                    screen, "-nolisten", "tcp", "-noreset"},
-                                  {}, "", Talk::Silenced);
+                                  {}, "", "/dev/null", STDERR_FILENO);
   close(ends[1]);
   const std::string number = read_display_number(ends[0]);
   close(ends[0]);

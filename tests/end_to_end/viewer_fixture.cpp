@@ -45,14 +45,15 @@ void ViewerTest::TearDown() {
 }
 
 void ViewerTest::start(const std::vector<std::string>& arguments) {
-  std::vector<std::string> command = {GUIDELIGHT_PROGRAM, "view"};
+  const char* other = std::getenv("GUIDELIGHT_VIEWER");
+  std::vector<std::string> command = {other ? other : GUIDELIGHT_PROGRAM, "view"};
   command.insert(command.end(), arguments.begin(), arguments.end());
   viewer_ = std::make_unique<ChildProcess>(
       command,
       std::vector<std::string>{"DISPLAY=" + display_->name(), "LIBGL_ALWAYS_SOFTWARE=1",
                                "XDG_STATE_HOME=" + (folder_ / "state").string(),
                                "HOME=" + folder_.string(), "XDG_SESSION_TYPE=x11"},
-      folder_.string());
+      folder_.string(), output().string());
   driver_ = std::make_unique<X11Driver>(display_->name());
   ASSERT_TRUE(driver_->find_window()) << "no window came";
 }

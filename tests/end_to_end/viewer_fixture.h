@@ -22,7 +22,8 @@ class ViewerTest : public testing::Test {
   void SetUp() override;
   void TearDown() override;
 
-  /// Starts the viewer; fails the test if no window comes.
+  /// Starts the viewer, or the program that GUIDELIGHT_VIEWER names (another build of it); fails
+  /// the test if no window comes.
   void start(const std::vector<std::string>& arguments);
   /// A scene of this project, e.g. "default".
   static std::string scene(const std::string& name);
@@ -47,6 +48,8 @@ class ViewerTest : public testing::Test {
     return static_cast<uint32_t>(std::stoul(read_metadata(save_png()).at("passes")));
   }
   std::filesystem::path folder() const { return folder_; }
+  /// What the viewer has printed.
+  std::filesystem::path output() const { return folder_ / "output.txt"; }
   /// A small scene with a lit ball, in the test's folder.
   std::string write_scene(const std::string& name) const;
 

@@ -15,8 +15,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-void pause_between_events() { std::this_thread::sleep_for(X11Driver::kBetweenEvents); }
-
 /// Means of the channels of 16×16 blocks.
 std::vector<double> block_means(const ScreenPicture& picture, Point corner, Point size) {
   constexpr int kBlock = 16;
@@ -63,6 +61,7 @@ size_t count_color(const ScreenPicture& picture, uint32_t color) {
 struct X11Driver::Impl {
   Display* display;
   Window window = 0;
+  std::chrono::milliseconds between_events{50};
 
   Atom atom(const char* name) const { return XInternAtom(display, name, False); }
   Window root() const { return DefaultRootWindow(display); }
@@ -74,8 +73,10 @@ struct X11Driver::Impl {
     return code;
   }
 
+  void pause() const { std::this_thread::sleep_for(between_events); }
+
   void send_key(KeyCode code, bool down) const {
-    pause_between_events();
+    pause();
     XTestFakeKeyEvent(display, code, down ? True : False, CurrentTime);
     XFlush(display);
   }
@@ -182,6 +183,10 @@ ScreenPicture X11Driver::capture_when_still() const {
 
 // -- The hands.
 
+void X11Driver::set_pace(std::chrono::milliseconds between_events) {
+  impl_->between_events = between_events;
+}
+
 void X11Driver::hold_key(const std::string& name, bool down) {
   impl_->send_key(impl_->code_of(name), down);
 }
@@ -208,13 +213,13 @@ void X11Driver::type(const std::string& text) {
 }
 
 void X11Driver::move_mouse(Point to) {
-  pause_between_events();
+  impl_->pause();
   XTestFakeMotionEvent(impl_->display, -1, to.x, to.y, CurrentTime);
   XFlush(impl_->display);
 }
 
 void X11Driver::hold_button(Mouse button, bool down) {
-  pause_between_events();
+  impl_->pause();
   XTestFakeButtonEvent(impl_->display, static_cast<unsigned>(button), down ? True : False,
                        CurrentTime);
   XFlush(impl_->display);
@@ -222,9 +227,9 @@ void X11Driver::hold_button(Mouse button, bool down) {
 
 void X11Driver::click(Point at, Mouse button) {
   move_mouse(at);
-  pause_between_events();  // the viewer must have seen where the mouse is
+  impl_->pause();  // the viewer must have seen where the mouse is
   hold_button(button, true);
-  pause_between_events();
+  impl_->pause();
   hold_button(button, false);
 }
 

@@ -21,9 +21,10 @@ bool wait_until(const std::function<bool()>& condition,
 /// A running program; it is killed when this goes.
 class ChildProcess {
  public:
-  /// `environment` is added to that of this process; `folder` is where it runs.
+  /// `environment` is added to that of this process; `folder` is where it runs; what it prints goes
+  /// to the file `output`, or is shown if that is empty.
   ChildProcess(const std::vector<std::string>& command, const std::vector<std::string>& environment,
-               const std::string& folder);
+               const std::string& folder, const std::string& output = "");
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
@@ -32,6 +33,8 @@ class ChildProcess {
   std::optional<int> wait(std::chrono::milliseconds longest);
   /// Processor time used so far [s].
   double cpu_seconds() const;
+  /// Memory that is resident now [bytes].
+  size_t resident_bytes() const;
 
  private:
   pid_t pid_;
@@ -77,9 +80,6 @@ enum class Mouse { Left = 1, Middle = 2, Right = 3, WheelUp = 4, WheelDown = 5 }
 
 class X11Driver {
  public:
-  /// Before every event, longer than a frame of the viewer on a busy machine.
-  static constexpr std::chrono::milliseconds kBetweenEvents{50};
-
   explicit X11Driver(const std::string& display);
   ~X11Driver();
   X11Driver(const X11Driver&) = delete;
@@ -96,6 +96,8 @@ class X11Driver {
   /// Waits until the screen stands still for a moment.
   ScreenPicture capture_when_still() const;
 
+  /// The wait before every event: 50 ms, longer than a frame of the viewer on a busy machine.
+  void set_pace(std::chrono::milliseconds between_events);
   /// Names as in keysymdef.h: "e", "space", "F12", "bracketright".
   void press_key(const std::string& name, const std::vector<std::string>& modifiers = {});
   void hold_key(const std::string& name, bool down);
