@@ -39,6 +39,12 @@ std::string with_unit(const char* number_format, const std::string& unit) {
   return format;
 }
 
+/// "1 segment", "2 segments".
+std::string unit_of(int count, const std::string& unit) {
+  const bool one_of_many = count == 1 && unit.ends_with('s');
+  return one_of_many ? unit.substr(0, unit.size() - 1) : unit;
+}
+
 constexpr const char* kHowToEnter = "Drag, or double-click to type.";
 
 }  // namespace
@@ -65,8 +71,9 @@ void row(const char* label, const std::string& help) {
 
 bool number(const char* id, int& value, int low, int high, const std::string& unit) {
   const float speed = std::max(0.1f, 0.02f * static_cast<float>(std::abs(value)));
-  const bool changed = ImGui::DragInt(id, &value, speed, low, high, with_unit("%d", unit).c_str(),
-                                      ImGuiSliderFlags_AlwaysClamp);
+  const std::string format = with_unit("%d", unit_of(value, unit));
+  const bool changed =
+      ImGui::DragInt(id, &value, speed, low, high, format.c_str(), ImGuiSliderFlags_AlwaysClamp);
   tooltip(kHowToEnter);
   return changed;
 }

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "ui/panels/panels.h"
 #include "ui/widgets.h"
 
@@ -9,7 +11,9 @@ constexpr const char* kRestarts = "Changing it restarts the render.";
 void draw_integrator_choice(Document& document) {
   const IntegratorInfo& current = find_integrator(document.settings().integrator);
   row("Algorithm", std::string("How light is simulated. ") + kRestarts);
-  if (ImGui::BeginCombo("##integrator", current.label.c_str())) {
+  const float width = ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - scaled(8);
+  if (ImGui::BeginCombo("##integrator", shortened(current.label, width).c_str(),
+                        ImGuiComboFlags_HeightLargest)) {
     for (const IntegratorInfo& info : integrators()) {
       const bool chosen = info.name == current.name;
       if (ImGui::Selectable(info.label.c_str(), chosen) && !chosen) {
@@ -20,6 +24,12 @@ void draw_integrator_choice(Document& document) {
     ImGui::EndCombo();
   }
   wrapped_dim_text(current.summary);
+}
+
+/// A key as words: "own_path" is shown as "own path".
+std::string words(std::string key) {
+  std::ranges::replace(key, '_', ' ');
+  return key;
 }
 
 /// The widget of one parameter; returns whether its value was changed.
@@ -43,9 +53,10 @@ struct ParameterWidget {
 
   bool operator()(const Parameter::Choice& choice) const {
     bool changed = false;
-    if (ImGui::BeginCombo(id, choice.names[*choice.value].c_str())) {
+    if (ImGui::BeginCombo(id, words(choice.names[*choice.value]).c_str())) {
       for (int i = 0; i < static_cast<int>(choice.names.size()); ++i) {
-        if (ImGui::Selectable(choice.names[i].c_str(), i == *choice.value) && i != *choice.value) {
+        const bool chosen = i == *choice.value;
+        if (ImGui::Selectable(words(choice.names[i]).c_str(), chosen) && !chosen) {
           *choice.value = i;
           changed = true;
         }
