@@ -4,73 +4,19 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/integrators/integrator.h"
 #include "tests/renderer/comparison_scenes.h"
+#include "tests/renderer/integrators/independent_runs.h"
 #include "tests/renderer/test_scenes.h"
-#include "tests/statistics/hypothesis_tests.h"
 
 namespace guidelight {
 namespace {
 
 using statistics::Moments;
 using testing::ComparisonScene;
+using testing::Method;
 
-constexpr int kSide = testing::kComparisonSide;
-constexpr int kBlock = 32;
-constexpr int kRuns = 10;
+const testing::Runs kRuns{.count = 10, .first_seed = 1000, .block = 32};
 constexpr double kFalseAlarms = 1e-3;
-
-/// Means over blocks, and last over the picture, of one run.
-std::vector<double> block_means(const Film& film) {
-  const Image picture = film.develop(Layer::Beauty);
-  std::vector<double> means;
-  double total = 0;
-  for (int y0 = 0; y0 < kSide; y0 += kBlock) {
-    for (int x0 = 0; x0 < kSide; x0 += kBlock) {
-      double sum = 0;
-      for (int y = y0; y < y0 + kBlock; ++y) {
-        for (int x = x0; x < x0 + kBlock; ++x) sum += luminance(picture.color(x, y));
-      }
-      means.push_back(sum / (kBlock * kBlock));
-      total += sum;
-    }
-  }
-  means.push_back(total / (kSide * kSide));
-  return means;
-}
-
-struct Method {
-  std::string name;        // of the integrator
-  std::string parameters;  // key=value,key=value
-  uint32_t passes;
-};
-
-/// What independent runs of a method say about each block.
-std::vector<Moments> measure(std::shared_ptr<const Scene> scene, const Method& method, int runs) {
-  const IntegratorInfo& info = find_integrator(method.name);
-  const auto settings = info.make_settings(scene->description().hints);
-  for (size_t begin = 0; begin < method.parameters.size();) {
-    const size_t equals = method.parameters.find('=', begin);
-    const size_t end = std::min(method.parameters.find(',', equals), method.parameters.size());
-    set_parameter(*settings, method.parameters.substr(begin, equals - begin),
-                  method.parameters.substr(equals + 1, end - equals - 1));
-    begin = end + 1;
-  }
-  std::vector<Moments> blocks(kSide / kBlock * (kSide / kBlock) + 1);
-  Parallel parallel(2);
-  const FilterSettings& filter = scene->camera().film().filter;
-  for (int run = 0; run < runs; ++run) {
-    Film film(kSide, kSide, filter);
-    const auto integrator = info.create(scene, *settings);
-    for (uint32_t pass = 0; pass < method.passes; ++pass) {
-      integrator->render_pass(pass, film, {1000u + static_cast<uint64_t>(run), &parallel, {}});
-    }
-    EXPECT_EQ(film.rejected(), 0u);
-    const std::vector<double> means = block_means(film);
-    for (size_t i = 0; i < means.size(); ++i) blocks[i].add(means[i]);
-  }
-  return blocks;
-}
 
 /// Methods without bias, and those whose radius is so small that their bias is far below the noise.
 std::vector<Method> methods(const ComparisonScene& scene) {
@@ -115,9 +61,8 @@ void Agreement::compare_with_path_tracer(const std::vector<Method>& tried, doubl
     const std::vector<Moments> found = measure(scene, method, kRuns);
     for (size_t i = 0; i < found.size(); ++i) {
       EXPECT_GT(statistics::welch_test(found[i], expected[i], bias * expected[i].mean()), level)
-          << method.name << " " << method.parameters << ", block " << i << ": " << found[i].mean()
-          << " +- " << found[i].standard_error() << " against " << expected[i].mean() << " +- "
-          << expected[i].standard_error();
+          << method.name << " " << method.parameters << ", block " << i << ": "
+          << testing::describe(found[i], expected[i]);
     }
     // A test that compares noise with noise proves nothing.
     EXPECT_LT(found.back().standard_error(), 0.02 * found.back().mean()) << method.name;
