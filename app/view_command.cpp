@@ -26,8 +26,9 @@ void print_frame_times(std::vector<double> seconds) {
              seconds.size(), at(0.5), at(0.95), at(1));
 }
 
-/// Pictures come and go for hours, in all sizes and from many threads. glibc would soon keep blocks of
-/// up to 32 MB in its arenas, which fall to pieces and grow; so large blocks always are the system's.
+/// Pictures come and go for hours, in all sizes and from many threads. glibc would soon keep blocks
+/// of up to 32 MB in its arenas, which fall to pieces and grow; so large blocks always are the
+/// system's.
 void return_large_blocks_to_the_system() {
 #ifdef __GLIBC__
   constexpr int kLarge = 1 << 20;  // [bytes]
