@@ -13,10 +13,6 @@ namespace {
 constexpr int kSteps = 64;
 constexpr int kTicks = 5;
 
-ImU32 pack(Color color) {
-  return ImGui::ColorConvertFloat4ToU32(ImVec4(color.r, color.g, color.b, 1));
-}
-
 }  // namespace
 
 const char* layer_unit(Layer layer) {
@@ -101,7 +97,7 @@ void draw_legend(ImDrawList& list, Vec2 corner, const Picture& picture) {
     const float to = static_cast<float>(step + 1) / kSteps;
     list.AddRectFilled(to_imgui(bar + Vec2(0, bar_size.y * (1 - to))),
                        to_imgui(bar + Vec2(bar_size.x, bar_size.y * (1 - from))),
-                       pack(color_map(display.color_map, (from + to) / 2)));
+                       to_imgui_color(color_map(display.color_map, (from + to) / 2)));
   }
   for (int tick = 0; tick < kTicks; ++tick) {
     const float y = bar_size.y * (1 - static_cast<float>(tick) / (kTicks - 1));

@@ -7,29 +7,17 @@
 #include <utility>
 
 #include "renderer/error.h"
-#include "ui/checkpoint_saver.h"
-#include "ui/compare/comparison.h"
-#include "ui/document.h"
-#include "ui/export.h"
-#include "ui/first_hint.h"
+#include "ui/actions.h"
 #include "ui/guides/guide_saver.h"
 #include "ui/guides/harvester.h"
-#include "ui/guides/new_guide.h"
-#include "ui/key_table.h"
 #include "ui/layout.h"
-#include "ui/opener.h"
-#include "ui/panels/file_dialog.h"
 #include "ui/panels/panels.h"
-#include "ui/panels/tabs.h"
 #include "ui/picture_developer.h"
 #include "ui/recent_files.h"
-#include "ui/render_view.h"
-#include "ui/scout/scout_view.h"
 #include "ui/theme.h"
 #include "ui/tools/guide_tool.h"
 #include "ui/tools/region_tool.h"
 #include "ui/ui_queue.h"
-#include "ui/view_layout.h"
 #include "ui/widgets.h"
 #include "ui/window.h"
 
@@ -39,12 +27,10 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::microseconds kShortestFrame{16'000};
-constexpr double kLongSleep = 5;        // [s] when nothing happens …
-constexpr double kShortSleep = 0.5;     // … while a message or a text cursor is shown …
-constexpr double kBriefSleep = 0.05;    // … and while the camera waits for the render
-constexpr int kFramesAfterEvent = 2;    // ImGui needs a second one to settle
-constexpr float kExposureStep = 0.25f;  // [EV]
-constexpr float kScaleStep = 1.1f;
+constexpr double kLongSleep = 5;      // [s] when nothing happens …
+constexpr double kShortSleep = 0.5;   // … while a message or a text cursor is shown …
+constexpr double kBriefSleep = 0.05;  // … and while the camera waits for the render
+constexpr int kFramesAfterEvent = 2;  // ImGui needs a second one to settle
 
 class Viewer {
  public:
@@ -65,11 +51,7 @@ class Viewer {
 
   bool animating() const { return view_.animating() || scout_.animating(); }
   void handle_key(int key, int modifiers);
-  void perform(Action action);
-  /// Whether camera commands are meant for the scout view.
-  bool works_in_scout() const { return !views_.shows_render() || scout_.hovered(); }
-  void choose_file(FileRequest request, std::function<void(const std::string&)> chosen,
-                   const std::string& start);
+  void perform(Action action) { guidelight::perform(action, bench_); }
   void show_new_scene();
 
   std::shared_ptr<UiQueue> queue_ = std::make_shared<UiQueue>(&Window::wake);
@@ -94,17 +76,12 @@ class Viewer {
   ViewLayout views_;
   Tabs tabs_;
   std::string title_;
-  bool panels_shown_ = true;
-  bool inspector_shown_ = true;
-  bool key_sheet_shown_ = false;
-  bool capture_requested_ = false;
+  WindowState state_;
+  Workbench bench_{window_,      state_,  document_,    toolbox_,    views_,
+                   view_,        scout_,  tabs_,        comparison_, exporter_,
+                   checkpoints_, opener_, file_dialog_, first_hint_};
   int frames_due_ = kFramesAfterEvent;
 };
-
-std::string current_folder() {
-  std::error_code ignored;
-  return std::filesystem::current_path(ignored).string();
-}
 
 Viewer::Viewer(const ViewerOptions& options)
     : window_("Guidelight", options.ui_scale),
@@ -141,7 +118,7 @@ void Viewer::run() {
     document_.update(frame_began);
     checkpoints_.update(frame_began);
     guide_saver_.update(frame_began);
-    harvester_.update(panels_shown_ && tabs_.shown() == Tabs::Guides);
+    harvester_.update(state_.panels_shown && tabs_.shown() == Tabs::Guides);
     display_.update(document_);
     comparison_.update(frame_began);
     if (document_.picture()) {
@@ -181,19 +158,19 @@ void Viewer::draw_frame() {
   window_.begin_frame();
   const auto act = [this](Action action) { perform(action); };
   float menu_height = 0;
-  if (panels_shown_) {
+  if (state_.panels_shown) {
     draw_menu_bar(
         document_, recent_, act, [this](const std::string& path) { opener_.open(path); }, views_);
     menu_height = ImGui::GetFrameHeight();
   }
-  layout_.update(panels_shown_, menu_height);
+  layout_.update(state_.panels_shown, menu_height);
   draw_views();
-  if (panels_shown_) draw_panels();
+  if (state_.panels_shown) draw_panels();
   file_dialog_.draw(recent_);
-  if (key_sheet_shown_) draw_key_sheet(key_sheet_shown_);
+  if (state_.key_sheet_shown) draw_key_sheet(state_.key_sheet_shown);
 
-  if (capture_requested_) {
-    capture_requested_ = false;
+  if (state_.capture_requested) {
+    state_.capture_requested = false;
     DisplayImage capture;
     window_.end_frame(&capture);
     exporter_.save_window(std::move(capture));
@@ -238,7 +215,7 @@ void Viewer::draw_panels() {
     if (tabs_.tab(Tabs::Image)) {
       draw_image_panel(document_, act);
       draw_histogram_panel(document_, view_.picture().get());
-      if (inspector_shown_) draw_inspector_panel(document_, view_.hovered_pixel());
+      if (state_.inspector_shown) draw_inspector_panel(document_, view_.hovered_pixel());
       ImGui::EndTabItem();
     }
     if (tabs_.tab(Tabs::Guides)) {
@@ -273,187 +250,6 @@ void Viewer::handle_key(int key, int modifiers) {
     return;
   }
   if (const auto action = action_for(key, modifiers)) perform(*action);
-}
-
-void Viewer::choose_file(FileRequest request, std::function<void(const std::string&)> chosen,
-                         const std::string& start) {
-  request.chosen = std::move(chosen);
-  file_dialog_.open(std::move(request), start);
-}
-
-void Viewer::perform(Action action) {
-  if (!why_disabled(action, document_).empty()) return;
-  DisplaySettings& display = document_.view().current();
-  switch (action) {
-    case Action::OpenScene:
-      choose_file(
-          open_scene_request(), [this](const std::string& path) { opener_.open(path); },
-          std::filesystem::path(document_.opened().path).parent_path().string());
-      break;
-    case Action::ReloadScene:
-      opener_.reload();
-      break;
-    case Action::SaveCheckpoint:
-      choose_file(
-          save_checkpoint_request(), [this](const std::string& path) { checkpoints_.save(path); },
-          checkpoints_.suggested_path());
-      break;
-    case Action::ResumeCheckpoint:
-      choose_file(
-          resume_checkpoint_request(), [this](const std::string& path) { opener_.resume(path); },
-          current_folder());
-      break;
-    case Action::Screenshot:
-      exporter_.save_png(view_.picture());
-      break;
-    case Action::WindowCapture:
-      capture_requested_ = true;
-      break;
-    case Action::ExportHalf:
-      exporter_.save_exr(true);
-      break;
-    case Action::ExportFloat:
-      exporter_.save_exr(false);
-      break;
-    case Action::Quit:
-      window_.close();
-      break;
-    case Action::PauseResume:
-      document_.set_paused(!document_.paused());
-      break;
-    case Action::Restart:
-      document_.restart();
-      break;
-    case Action::RegionTool:
-      if (toolbox_.holds<RegionTool>()) {
-        toolbox_.use_default();
-      } else {
-        toolbox_.use(std::make_unique<RegionTool>());
-        if (!views_.shows_render()) views_.show(ShownViews::Render);
-      }
-      break;
-    case Action::ClearRegion: {
-      toolbox_.use_default();
-      RenderSettings settings = document_.settings();
-      if (settings.region) {
-        settings.region.reset();
-        document_.set_settings(settings);
-      }
-      break;
-    }
-    case Action::Undo:
-      document_.undo();
-      break;
-    case Action::Redo:
-      document_.redo();
-      break;
-    case Action::NewGuide:
-      first_hint_.dismiss();
-      if (toolbox_.holds<GuideTool>()) {
-        toolbox_.use_default();
-      } else {
-        toolbox_.use(std::make_unique<GuideTool>());
-        document_.guide_view().shown = true;
-        tabs_.show(Tabs::Guides);
-      }
-      break;
-    case Action::ShowGuides:
-      document_.guide_view().shown = !document_.guide_view().shown;
-      break;
-    case Action::KeepPath: {
-      const Harvest& harvest = document_.harvest();
-      add_guide(document_, harvest.paths[harvest.selected.value_or(0)].guide, "kept light path");
-      break;
-    }
-    case Action::DuplicateGuide:
-      duplicate_guide(document_, *document_.guide_view().selected);
-      break;
-    case Action::DeleteGuide:
-      delete_guide(document_, *document_.guide_view().selected);
-      break;
-    case Action::ShowPhotons: {
-      PhotonView photons = document_.photon_view();
-      photons.shown = !photons.shown;
-      document_.set_photon_view(photons);
-      if (photons.shown) tabs_.show(Tabs::Photons);
-      break;
-    }
-    case Action::CycleViews:
-      views_.cycle();
-      break;
-    case Action::ViewFromRender:
-      if (document_.has_scene()) scout_.stand_at_render_camera(document_);
-      break;
-    case Action::FrameScene:
-      if (!document_.has_scene()) break;
-      if (works_in_scout()) {
-        scout_.frame(document_.scene().bounds());
-      } else {
-        document_.move_camera(
-            [&](CameraController& camera) { camera.frame(document_.scene().bounds()); });
-      }
-      break;
-    case Action::ResetCamera:
-      if (works_in_scout()) {
-        scout_.stand_at_render_camera(document_);
-      } else {
-        document_.reset_camera();
-      }
-      break;
-    case Action::ExposureUp:
-      display.exposure += kExposureStep;
-      break;
-    case Action::ExposureDown:
-      display.exposure -= kExposureStep;
-      break;
-    case Action::NormaliseExposure:
-      document_.normalise();
-      break;
-    case Action::PreviousLayer:
-      document_.step_layer(-1);
-      break;
-    case Action::NextLayer:
-      document_.step_layer(1);
-      break;
-    case Action::ClipWarning:
-      display.show_clipped = !display.show_clipped;
-      break;
-    case Action::Inspector:
-      inspector_shown_ = !inspector_shown_ || tabs_.shown() != Tabs::Image;
-      tabs_.show(Tabs::Image);
-      break;
-    case Action::LoadReference:
-      choose_file(
-          load_reference_request(),
-          [this](const std::string& path) {
-            comparison_.load_reference(path);
-            tabs_.show(Tabs::Compare);
-          },
-          current_folder());
-      break;
-    case Action::PinPicture:
-      comparison_.pin();
-      tabs_.show(Tabs::Compare);
-      break;
-    case Action::ZoomFit:
-      view_.transform().fit();
-      break;
-    case Action::ZoomActual:
-      view_.transform().zoom_to(1);
-      break;
-    case Action::KeySheet:
-      key_sheet_shown_ = !key_sheet_shown_;
-      break;
-    case Action::HideUi:
-      panels_shown_ = !panels_shown_;
-      break;
-    case Action::LargerUi:
-      window_.set_scale(window_.scale() * kScaleStep);
-      break;
-    case Action::SmallerUi:
-      window_.set_scale(window_.scale() / kScaleStep);
-      break;
-  }
 }
 
 void Viewer::show_new_scene() {

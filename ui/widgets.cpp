@@ -51,6 +51,15 @@ constexpr const char* kHowToEnter = "Drag, or double-click to type.";
 
 float scaled(float length) { return std::round(length * ImGui::GetFontSize() / kBodySize); }
 
+ImU32 faded(ImU32 color, float factor) {
+  const auto alpha = static_cast<float>(color >> IM_COL32_A_SHIFT & 255);
+  return (color & ~IM_COL32_A_MASK) | static_cast<ImU32>(alpha * factor) << IM_COL32_A_SHIFT;
+}
+
+ImU32 to_imgui_color(Color c, float alpha) {
+  return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, alpha});
+}
+
 bool section(const char* title) {
   ImGui::Dummy({0, scaled(2)});
   ImGui::PushFont(heading_font());

@@ -13,6 +13,11 @@ namespace guidelight {
 inline ImVec2 to_imgui(Vec2 v) { return {v.x, v.y}; }
 inline Vec2 from_imgui(ImVec2 v) { return {v.x, v.y}; }
 
+/// A display-referred colour, red in the lowest byte.
+ImU32 to_imgui_color(Color display_color, float alpha = 1);
+/// The same colour with its opacity multiplied.
+ImU32 faded(ImU32 color, float factor);
+
 /// Lengths are given for scale 1 and follow the font.
 float scaled(float length);
 

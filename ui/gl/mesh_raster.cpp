@@ -61,35 +61,17 @@ void main() {
 
 }  // namespace
 
-MeshRaster::MeshRaster() : program_(kMeshVertexShader, kMeshFragmentShader) {
-  glGenVertexArrays(1, &array_);
-  glGenBuffers(1, &buffer_);
-  glBindVertexArray(array_);
-  glBindBuffer(GL_ARRAY_BUFFER, buffer_);
-  using Vertex = DisplayMesh::Vertex;
-  const auto attribute = [](GLuint index, GLint size, GLenum type, GLboolean normalised,
-                            size_t offset) {
-    glEnableVertexAttribArray(index);
-    glVertexAttribPointer(index, size, type, normalised, sizeof(Vertex),
-                          reinterpret_cast<const void*>(offset));
-  };
-  attribute(0, 3, GL_FLOAT, GL_FALSE, offsetof(Vertex, position));
-  attribute(1, 4, GL_BYTE, GL_TRUE, offsetof(Vertex, normal));
-  attribute(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(Vertex, color));
-  glBindVertexArray(0);
-}
-
-MeshRaster::~MeshRaster() {
-  glDeleteBuffers(1, &buffer_);
-  glDeleteVertexArrays(1, &array_);
-}
+MeshRaster::MeshRaster()
+    : program_(kMeshVertexShader, kMeshFragmentShader),
+      vertices_(
+          sizeof(DisplayMesh::Vertex),
+          {{VertexBuffer::Attribute::Kind::Float, 3, offsetof(DisplayMesh::Vertex, position)},
+           {VertexBuffer::Attribute::Kind::SignedBytes, 4, offsetof(DisplayMesh::Vertex, normal)},
+           {VertexBuffer::Attribute::Kind::UnsignedBytes, 4,
+            offsetof(DisplayMesh::Vertex, color)}}) {}
 
 void MeshRaster::upload(const DisplayMesh& mesh) {
-  vertex_count_ = static_cast<int>(mesh.vertices.size());
-  glBindBuffer(GL_ARRAY_BUFFER, buffer_);
-  glBufferData(GL_ARRAY_BUFFER,
-               static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(DisplayMesh::Vertex)),
-               mesh.vertices.data(), GL_STATIC_DRAW);
+  vertices_.upload<DisplayMesh::Vertex>(mesh.vertices);
 }
 
 void MeshRaster::draw(const Mat4& clip_from_world, const Look& look) const {
@@ -111,9 +93,7 @@ void MeshRaster::draw(const Mat4& clip_from_world, const Look& look) const {
   }
   if (look.style == MeshStyle::DepthOnly) glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   glEnable(GL_CLIP_DISTANCE0);
-  glBindVertexArray(array_);
-  glDrawArrays(GL_TRIANGLES, 0, vertex_count_);
-  glBindVertexArray(0);
+  vertices_.draw_triangles();
   glDisable(GL_CLIP_DISTANCE0);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/gl/gl_program.h"
+#include "ui/gl/vertex_buffer.h"
 #include "ui/scout/display_mesh.h"
 
 namespace guidelight {
@@ -12,12 +13,9 @@ class MeshRaster {
  public:
   /// Throws Error if the driver refuses the shaders.
   MeshRaster();
-  ~MeshRaster();
-  MeshRaster(const MeshRaster&) = delete;
-  MeshRaster& operator=(const MeshRaster&) = delete;
 
   void upload(const DisplayMesh& mesh);
-  bool empty() const { return vertex_count_ == 0; }
+  bool empty() const { return vertices_.empty(); }
 
   struct Look {
     MeshStyle style = MeshStyle::Shaded;
@@ -30,9 +28,7 @@ class MeshRaster {
 
  private:
   GlProgram program_;
-  unsigned array_ = 0;
-  unsigned buffer_ = 0;
-  int vertex_count_ = 0;
+  VertexBuffer vertices_;
 };
 
 }  // namespace guidelight

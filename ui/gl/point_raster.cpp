@@ -37,31 +37,13 @@ void main() {
 
 }  // namespace
 
-PointRaster::PointRaster() : program_(kPointVertexShader, kPointFragmentShader) {
-  glGenVertexArrays(1, &array_);
-  glGenBuffers(1, &buffer_);
-  glBindVertexArray(array_);
-  glBindBuffer(GL_ARRAY_BUFFER, buffer_);
-  glEnableVertexAttribArray(0);
-  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex),
-                        reinterpret_cast<const void*>(offsetof(Vertex, position)));
-  glEnableVertexAttribArray(1);
-  glVertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Vertex),
-                        reinterpret_cast<const void*>(offsetof(Vertex, color)));
-  glBindVertexArray(0);
-}
+PointRaster::PointRaster()
+    : program_(kPointVertexShader, kPointFragmentShader),
+      points_(sizeof(Vertex),
+              {{VertexBuffer::Attribute::Kind::Float, 3, offsetof(Vertex, position)},
+               {VertexBuffer::Attribute::Kind::UnsignedBytes, 4, offsetof(Vertex, color)}}) {}
 
-PointRaster::~PointRaster() {
-  glDeleteBuffers(1, &buffer_);
-  glDeleteVertexArrays(1, &array_);
-}
-
-void PointRaster::upload(const std::vector<Vertex>& points) {
-  count_ = static_cast<int>(points.size());
-  glBindBuffer(GL_ARRAY_BUFFER, buffer_);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(points.size() * sizeof(Vertex)),
-               points.data(), GL_STREAM_DRAW);
-}
+void PointRaster::upload(const std::vector<Vertex>& points) { points_.upload<Vertex>(points); }
 
 void PointRaster::draw(const Mat4& clip_from_world, const Look& look) const {
   if (empty()) return;
@@ -75,14 +57,12 @@ void PointRaster::draw(const Mat4& clip_from_world, const Look& look) const {
   glEnable(GL_BLEND);
   // Colour stays as it is over a clear background, opacity adds up.
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  glBindVertexArray(array_);
   glDepthFunc(GL_GREATER);
   program_.set("opacity", look.hidden_opacity);
-  glDrawArrays(GL_POINTS, 0, count_);
+  points_.draw_points();
   glDepthFunc(GL_LEQUAL);
   program_.set("opacity", 1.0f);
-  glDrawArrays(GL_POINTS, 0, count_);
-  glBindVertexArray(0);
+  points_.draw_points();
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
   glDisable(GL_PROGRAM_POINT_SIZE);

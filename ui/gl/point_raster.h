@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ui/gl/gl_program.h"
+#include "ui/gl/vertex_buffer.h"
 
 namespace guidelight {
 
@@ -17,12 +18,9 @@ class PointRaster {
 
   /// Throws Error if the driver refuses the shaders.
   PointRaster();
-  ~PointRaster();
-  PointRaster(const PointRaster&) = delete;
-  PointRaster& operator=(const PointRaster&) = delete;
 
   void upload(const std::vector<Vertex>& points);
-  bool empty() const { return count_ == 0; }
+  bool empty() const { return points_.empty(); }
 
   /// Into the current target, whose depth hides points: hidden ones get this opacity.
   struct Look {
@@ -34,9 +32,7 @@ class PointRaster {
 
  private:
   GlProgram program_;
-  unsigned array_ = 0;
-  unsigned buffer_ = 0;
-  int count_ = 0;
+  VertexBuffer points_;
 };
 
 }  // namespace guidelight

@@ -18,15 +18,6 @@ constexpr float kShortOfThePoint = 1e-3f;  // marks lie on surfaces, which must 
 
 }  // namespace
 
-ImU32 faded(ImU32 color, float factor) {
-  const auto alpha = static_cast<float>(color >> IM_COL32_A_SHIFT & 255);
-  return (color & ~IM_COL32_A_MASK) | static_cast<ImU32>(alpha * factor) << IM_COL32_A_SHIFT;
-}
-
-ImU32 to_imgui_color(Color c, float alpha) {
-  return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, alpha});
-}
-
 /// From the point towards the eye, as far as the view shows anything.
 Ray WorldPainter::sight_line(Vec3 point) const {
   const Vec3 way = view_.projection.seen_from(point) - point;

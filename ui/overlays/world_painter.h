@@ -34,8 +34,4 @@ class WorldPainter {
   ImDrawList& list_;
 };
 
-/// The same colour with its opacity multiplied.
-ImU32 faded(ImU32 color, float factor);
-ImU32 to_imgui_color(Color display_color, float alpha = 1);
-
 }  // namespace guidelight

@@ -53,7 +53,17 @@ void draw_hint_for_first_guide() {
 
 // -- The list.
 
-void draw_guide_row(Document& document, size_t i) {
+/// Of the guides that are followed.
+double total_weight(const Document& document) {
+  double total = 0;
+  for (size_t i = 0; i < document.guides()->size(); ++i) {
+    const GuidePath& guide = (*document.guides())[i];
+    if (guide.enabled && document.guide_faults(i).empty()) total += guide.weight;
+  }
+  return total;
+}
+
+void draw_guide_row(Document& document, size_t i, double total) {
   const GuidePath guide = (*document.guides())[i];
   GuideView& view = document.guide_view();
   ImGui::PushID(static_cast<int>(i));
@@ -92,11 +102,6 @@ void draw_guide_row(Document& document, size_t i) {
 
   ImGui::TableNextColumn();
   ImGui::AlignTextToFramePadding();
-  double total = 0;
-  for (size_t j = 0; j < document.guides()->size(); ++j) {
-    const GuidePath& other = (*document.guides())[j];
-    if (other.enabled && document.guide_faults(j).empty()) total += other.weight;
-  }
   const bool followed = guide.enabled && faults.empty() && total > 0;
   dim_text(followed ? fmt::format("{:.0f} %", 100 * guide.weight / total) : "–");
   tooltip("Share among the guides that are followed");
@@ -116,7 +121,8 @@ void draw_list(Document& document) {
   ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch);
   ImGui::TableSetupColumn("share");
   ImGui::TableSetupColumn("solo");
-  for (size_t i = 0; i < document.guides()->size(); ++i) draw_guide_row(document, i);
+  const double total = total_weight(document);
+  for (size_t i = 0; i < document.guides()->size(); ++i) draw_guide_row(document, i, total);
   ImGui::EndTable();
 }
 

@@ -13,9 +13,8 @@ namespace {
 void draw_swatch(Color color, const std::string& text) {
   const Vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
   const float line = ImGui::GetTextLineHeight();
-  ImGui::GetWindowDrawList()->AddCircleFilled(
-      to_imgui(corner + Vec2(scaled(6), line / 2)), scaled(4),
-      ImGui::ColorConvertFloat4ToU32({color.r, color.g, color.b, 1}));
+  ImGui::GetWindowDrawList()->AddCircleFilled(to_imgui(corner + Vec2(scaled(6), line / 2)),
+                                              scaled(4), to_imgui_color(color));
   ImGui::Dummy({scaled(14), line});
   ImGui::SameLine(0, scaled(4));
   dim_text(text);
@@ -35,8 +34,7 @@ void draw_power_histogram(const PowerHistogram& powers) {
     const Color color = color_map(ColorMap::Turbo, share);
     const float height = powers.counts[i] / tallest * (size.y - scaled(4));
     const Vec2 low = corner + Vec2(width * static_cast<float>(i), size.y - height);
-    list.AddRectFilled(to_imgui(low), to_imgui(low + Vec2(width, height)),
-                       ImGui::ColorConvertFloat4ToU32({color.r, color.g, color.b, 1}));
+    list.AddRectFilled(to_imgui(low), to_imgui(low + Vec2(width, height)), to_imgui_color(color));
   }
   ImGui::Dummy(to_imgui(size));
   tooltip("How many photons have which power; the axis is logarithmic");

@@ -4,18 +4,12 @@
 #include <cmath>
 
 #include "renderer/image/tonemap.h"
+#include "ui/widgets.h"
 
 namespace guidelight {
 namespace {
 
 constexpr float kTail = 0.01f;  // share of photons beyond either end of the axis
-
-uint32_t pack_color_bytes(Color c) {
-  const auto byte = [](float x) {
-    return static_cast<uint32_t>(std::lround(255 * std::clamp(x, 0.0f, 1.0f)));
-  };
-  return byte(c.r) | byte(c.g) << 8 | byte(c.b) << 16 | 0xff000000u;
-}
 
 /// Position of a power on the axis, 0 … 1 between its ends.
 float share_on_axis(float power, const PowerHistogram& powers) {
@@ -76,7 +70,7 @@ std::vector<PointRaster::Vertex> color_photons(const PhotonCloud& cloud, PhotonC
         color = kind_color(photon.caustic);
         break;
     }
-    points.push_back({photon.position, pack_color_bytes(color)});
+    points.push_back({photon.position, to_imgui_color(color)});
   }
   return points;
 }
