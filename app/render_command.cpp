@@ -12,6 +12,7 @@
 #include "app/render_arguments.h"
 #include "renderer/error.h"
 #include "renderer/image/technique_images.h"
+#include "renderer/io/atomic_file.h"
 #include "renderer/session/checkpoints.h"
 #include "renderer/session/picture_export.h"
 
@@ -89,7 +90,11 @@ RenderJob RenderCommand::make_job() const {
 }
 
 void RenderCommand::run() const {
-  for (const std::string& path : outputs) check_picture_path(path);
+  for (const std::string& path : outputs) {
+    check_argument("--output", [&] { check_picture_path(path); });
+    check_writable(path);
+  }
+  if (!checkpoint.empty()) check_writable(checkpoint);
   const RenderJob job = make_job();
   const InterruptGuard interrupt;
   ProgressBar progress;
@@ -110,7 +115,8 @@ void RenderCommand::run() const {
   session.wait();
   const auto snapshot = session.snapshot();
   progress.finish(*snapshot);
-  if (snapshot->state == SessionState::Failed) throw Error(snapshot->error);
+  const bool failed = snapshot->state == SessionState::Failed;
+  if (failed && !snapshot->has_picture()) throw Error(snapshot->error);
   if (snapshot->rejected_samples > 0) {
     fmt::print(stderr, "guidelight: warning: {} samples were not finite and count as black\n",
                snapshot->rejected_samples);
@@ -124,6 +130,7 @@ void RenderCommand::run() const {
     export_techniques(techniques, job, *snapshot);
     fmt::print("{}\n", techniques);
   }
+  if (failed) throw Error(snapshot->error);  // what had been rendered until then is not lost
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <charconv>
 #include <map>
 
-#include "renderer/error.h"
 #include "renderer/session/open_scene.h"
 
 namespace guidelight {
@@ -63,8 +62,9 @@ PixelRegion parse_region(const std::string& option, const std::string& text, int
   const std::vector<int> n = split_numbers(option, text, ',', 4);
   const PixelRegion region{n[0], n[1], n[2], n[3]};
   if (!region.is_within(width, height)) {
-    throw Error("{} {}: the picture has {}x{} pixels: give x0,y0,x1,y1 inside it", option, text,
-                width, height);
+    throw CLI::ValidationError(
+        option, fmt::format("{}: the picture has {}x{} pixels: give x0,y0,x1,y1 inside it", text,
+                            width, height));
   }
   return region;
 }
@@ -73,8 +73,9 @@ PixelRegion parse_pixel(const std::string& option, const std::string& text, int 
   const std::vector<int> n = split_numbers(option, text, ',', 2);
   const auto pixel = PixelRegion::pixel({n[0], n[1]});
   if (!pixel.is_within(width, height)) {
-    throw Error("{} {}: the picture has {}x{} pixels: give x,y inside it", option, text, width,
-                height);
+    throw CLI::ValidationError(
+        option,
+        fmt::format("{}: the picture has {}x{} pixels: give x,y inside it", text, width, height));
   }
   return pixel;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/error.h"
 #include "renderer/image/pixel_region.h"
 #include "renderer/scene/description.h"
 
@@ -26,13 +27,23 @@ struct SceneArguments {
 std::pair<std::string, std::string> split_assignment(const std::string& option,
                                                      const std::string& text);
 
+/// What `look` returns; its Errors become CLI::ValidationError (exit status 2) naming the option.
+template <typename Look>
+auto check_argument(const std::string& option, const Look& look) {
+  try {
+    return look();
+  } catch (const Error& error) {
+    throw CLI::ValidationError(option, error.what());
+  }
+}
+
 /// Numbers of a list such as 640x480 or 0,0,64,64. Throws CLI::ValidationError unless there are
 /// `count` whole numbers.
 std::vector<int> split_numbers(const std::string& option, const std::string& text, char separator,
                                size_t count);
 
-/// Pixels of a picture, "x0,y0,x1,y1" (without x1 and y1) or one, "x,y". Throw Error unless they
-/// are inside it.
+/// Pixels of a picture, "x0,y0,x1,y1" (without x1 and y1) or one, "x,y". Throw
+/// CLI::ValidationError unless they are inside it.
 PixelRegion parse_region(const std::string& option, const std::string& text, int width, int height);
 PixelRegion parse_pixel(const std::string& option, const std::string& text, int width, int height);
 

@@ -32,7 +32,10 @@ void CheckpointSaver::update(Clock::time_point now) {
     saved_at_ = now;
     saved_passes_ = 0;
   }
-  if (autosave_minutes_ <= 0 || !document_.has_scene() || status.passes == saved_passes_) return;
+  if (autosave_minutes_ <= 0 || !document_.has_scene()) return;
+  // A render that is paused, or has finished, renders one pass to be saved.
+  const uint32_t own_passes = status.state == SessionState::Rendering ? 0 : 1;
+  if (status.passes <= saved_passes_ + own_passes) return;
   const bool due = now - saved_at_ >= std::chrono::minutes(autosave_minutes_);
   if (!due && status.state != SessionState::Finished) return;
   if (path_.empty()) path_ = files_.next(document_.title(), "checkpoint");

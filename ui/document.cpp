@@ -25,6 +25,10 @@ bool render_the_same(const RenderSettings& a, const RenderSettings& b) {
   return picture(a) == picture(b);
 }
 
+bool is_resized(const RenderSettings& a, const RenderSettings& b) {
+  return a.width != b.width || a.height != b.height;
+}
+
 /// What was changed, as undo names it.
 std::string name_of_change(const RenderSettings& a, const RenderSettings& b) {
   if (a.integrator != b.integrator) return "choice of algorithm";
@@ -148,7 +152,10 @@ void Document::find_pivot() {
 void Document::set_settings(const RenderSettings& settings) {
   if (render_the_same(settings, settings_) && settings.targets == settings_.targets) return;
   const std::string change = name_of_change(settings_, settings);
-  apply_settings(settings);
+  RenderSettings next = settings;
+  // A region is of the size that it was drawn in, unless a new one comes with the new size.
+  if (is_resized(settings_, next) && next.region == settings_.region) next.region.reset();
+  apply_settings(next);
   edits_.commit({guides(), settings_}, change, change);
 }
 
@@ -158,12 +165,8 @@ void Document::apply_settings(const RenderSettings& settings) {
     session_.set_targets(settings.targets);
     return;
   }
-  const bool resized = settings.width != settings_.width || settings.height != settings_.height;
+  if (is_resized(settings_, settings)) view_.inspected_pixel.reset();
   settings_ = settings;
-  if (resized) {
-    settings_.region.reset();
-    view_.inspected_pixel.reset();
-  }
   restart();
 }
 
@@ -254,6 +257,7 @@ void Document::start(Clock::time_point now) {
   }
   const uint64_t number = session_.start(job);
   job.resume_from.reset();  // the film of a checkpoint is large, and of no more use here
+  job.guides = guides();    // what travels with pictures; solo is a way of looking
   jobs_.push_back({number, std::move(job)});
   job_started_ = now;
   restart_pending_ = false;
@@ -290,9 +294,8 @@ void Document::take_guides() {
 }
 
 void Document::follow_guides() {
-  const GuideList followed = followed_guides();
-  session_.set_guides(followed);
-  if (!jobs_.empty()) jobs_.back().job.guides = followed;
+  session_.set_guides(followed_guides());
+  if (!jobs_.empty()) jobs_.back().job.guides = guides();
 }
 
 void Document::update_candidates() {

@@ -11,8 +11,10 @@
 
 namespace guidelight {
 
-FirstHint::FirstHint(const std::string& state_folder)
-    : mark_(state_folder + "/guide-tool-known"), shown_(!std::filesystem::exists(mark_)) {}
+FirstHint::FirstHint(const std::string& state_folder) : mark_(state_folder + "/guide-tool-known") {
+  std::error_code unreadable;  // a folder that cannot be looked into has no mark
+  shown_ = !std::filesystem::exists(mark_, unreadable);
+}
 
 void FirstHint::dismiss() {
   if (!shown_) return;

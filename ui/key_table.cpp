@@ -160,6 +160,22 @@ std::optional<Action> action_for(int key, int modifiers) {
   return std::nullopt;
 }
 
+bool repeats(Action action) {
+  switch (action) {
+    case Action::Undo:
+    case Action::Redo:
+    case Action::ExposureUp:
+    case Action::ExposureDown:
+    case Action::PreviousLayer:
+    case Action::NextLayer:
+    case Action::LargerUi:
+    case Action::SmallerUi:
+      return true;
+    default:
+      return false;
+  }
+}
+
 std::optional<Gesture> gesture_for(MouseInput input, int modifiers) {
   constexpr int kKnown = kShift | kControl | kAlt;
   if (input == MouseInput::Right) return Gesture::Fly;

@@ -100,6 +100,8 @@ std::optional<ToolCommand> tool_command_for(int key, int modifiers);
 float fly_speed_factor(int modifiers);
 
 std::optional<Action> action_for(int key, int modifiers);
+/// Whether an action is done again and again while its key is held.
+bool repeats(Action action);
 /// Modifiers that no binding of the input mentions are ignored for drags with the right button, so
 /// that Shift and Ctrl can change the speed of flying.
 std::optional<Gesture> gesture_for(MouseInput input, int modifiers);

@@ -1,6 +1,9 @@
 #include "ui/opener.h"
 
+#include <algorithm>
+#include <cctype>
 #include <exception>
+#include <filesystem>
 #include <utility>
 
 #include "renderer/error.h"
@@ -10,7 +13,9 @@ namespace {
 
 /// A file that Guidelight may have saved, with the session in its metadata.
 bool looks_like_picture(const std::string& path) {
-  return path.ends_with(".png") || path.ends_with(".exr");
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  return ending == ".png" || ending == ".exr";
 }
 
 }  // namespace

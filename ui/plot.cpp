@@ -73,7 +73,7 @@ void draw_plot(const char* id, std::span<const PlotCurve> curves, const PlotAxes
     }
   }
   const Vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
-  const Vec2 size(ImGui::GetContentRegionAvail().x, scaled(kPlotHeight));
+  const Vec2 size(std::max(1.0f, ImGui::GetContentRegionAvail().x), scaled(kPlotHeight));
   ImGui::InvisibleButton(id, to_imgui(size));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(to_imgui(corner), to_imgui(corner + size), palette::kBackdrop, scaled(4));

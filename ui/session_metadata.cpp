@@ -69,14 +69,15 @@ std::optional<RememberedSession> session_of(const Metadata& metadata) {
   const auto width = number_from<int>(size.substr(0, times));
   const auto height = number_from<int>(size.substr(std::min(times + 1, size.size())));
   const auto seed = number_from<uint64_t>(lookup(metadata, "seed"));
-  if (session.scene_path.empty() || session.integrator.empty() || !camera || !width || !height ||
-      !seed) {
+  const bool has_pixels = width && height && *width > 0 && *height > 0;
+  if (session.scene_path.empty() || session.integrator.empty() || !camera || !has_pixels || !seed) {
     return std::nullopt;
   }
   session.scene_hash = lookup(metadata, "scene_hash");
   session.parameters = with_prefix(metadata, kParameterPrefix);
   session.defines = with_prefix(metadata, kDefinePrefix);
   session.region = region_from(lookup(metadata, "region"));
+  if (session.region && !session.region->is_within(*width, *height)) session.region.reset();
   session.camera_to_world = *camera;
   session.guides = lookup(metadata, "guides");
   session.width = *width;
@@ -86,7 +87,7 @@ std::optional<RememberedSession> session_of(const Metadata& metadata) {
 }
 
 void restore_session(const RememberedSession& session, Document& document) {
-  if (session.scene_hash != file_hash(session.scene_path)) {
+  if (session.scene_hash != document.scene().description().file_hash) {
     document.messages().warning(session.scene_path +
                                 " has changed since this was saved; it may look different.");
   }
@@ -99,8 +100,7 @@ void restore_session(const RememberedSession& session, Document& document) {
   settings.width = session.width;
   settings.height = session.height;
   settings.seed = session.seed;
-  document.set_settings(settings);
-  settings.region = session.region;  // after the size, which resets it
+  settings.region = session.region;
   document.set_settings(settings);
   document.move_camera(
       [&](CameraController& camera) { camera.set_to_world(session.camera_to_world); });

@@ -50,7 +50,7 @@ class Viewer {
   double seconds_to_sleep() const;
 
   bool animating() const { return view_.animating() || scout_.animating(); }
-  void handle_key(int key, int modifiers);
+  void handle_key(int key, int modifiers, bool is_repeat);
   void perform(Action action) { guidelight::perform(action, bench_); }
   void show_new_scene();
 
@@ -99,7 +99,7 @@ Viewer::Viewer(const ViewerOptions& options)
   overrides.threads = options.threads;
   overrides.seed = options.seed;
   document_.override_settings(overrides);
-  window_.on_key = [this](int key, int modifiers) { handle_key(key, modifiers); };
+  window_.on_key = [this](auto... key) { handle_key(key...); };
   window_.on_drop = [this](const std::vector<std::string>& paths) {
     if (!paths.empty()) opener_.open(paths.front());
   };
@@ -114,7 +114,7 @@ void Viewer::run() {
     wait_for_next_frame(frame_began);
     frame_began = Clock::now();
     queue_->run();
-    if (!ImGui::IsAnyMouseDown()) document_.seal_edits();
+    if (!ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive()) document_.seal_edits();
     document_.update(frame_began);
     checkpoints_.update(frame_began);
     guide_saver_.update(frame_began);
@@ -241,7 +241,7 @@ void Viewer::draw_panels() {
 
 // -- What the person does.
 
-void Viewer::handle_key(int key, int modifiers) {
+void Viewer::handle_key(int key, int modifiers, bool is_repeat) {
   frames_due_ = kFramesAfterEvent;
   if (animating() || file_dialog_.is_open()) return;
   const auto command = tool_command_for(key, modifiers);
@@ -249,7 +249,10 @@ void Viewer::handle_key(int key, int modifiers) {
     toolbox_.tidy();
     return;
   }
-  if (const auto action = action_for(key, modifiers)) perform(*action);
+  const auto action = action_for(key, modifiers);
+  // A drag goes on in the view where it began.
+  if (action == Action::CycleViews && ImGui::IsAnyMouseDown()) return;
+  if (action && (!is_repeat || repeats(*action))) perform(*action);
 }
 
 void Viewer::show_new_scene() {

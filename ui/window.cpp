@@ -139,7 +139,8 @@ void Window::take_key(const Key& key, int action) {
   ImGui_ImplGlfw_KeyCallback(window_, key.key, key.code, action, key.modifiers);
   if (action == GLFW_RELEASE) return;
   pressed_.push_back(key);
-  if (!ImGui::GetIO().WantTextInput && on_key) on_key(key.key, key.modifiers);
+  if (!ImGui::GetIO().WantTextInput && on_key)
+    on_key(key.key, key.modifiers, action == GLFW_REPEAT);
 }
 
 void Window::release_late_keys() {

@@ -45,7 +45,7 @@ class Window {
 
   /// Keys as they are pressed or repeated: GLFW key code and modifiers. Not called for keys that a
   /// text field takes.
-  std::function<void(int key, int modifiers)> on_key;
+  std::function<void(int key, int modifiers, bool is_repeat)> on_key;
   /// Files dropped on the window.
   std::function<void(std::vector<std::string>)> on_drop;
 

@@ -62,25 +62,39 @@ void replace_file(const fs::path& target, const std::function<void(const std::st
   }
 }
 
-}  // namespace
-
-void write_atomically(const std::string& path,
-                      const std::function<void(const std::string&)>& write) {
+/// Calls `act` with the file that is to be replaced, or a device or pipe that is to be written to.
+template <typename Act>
+void with_target(const std::string& path, const Act& act) {
   try {
     std::error_code ignored;
     const fs::file_status status = fs::status(path, ignored);
     if (fs::is_directory(status)) throw Error("it is a folder");
-    if (fs::exists(status) && !fs::is_regular_file(status)) {
-      write(path);  // a device or pipe must not be replaced by a file
-      return;
-    }
     // A symbolic link stays one: the file it points to is replaced.
     const fs::path real = fs::exists(status) ? fs::canonical(path) : fs::path(path);
-    replace_file(real, write);
+    act(real, fs::exists(status) && !fs::is_regular_file(status));
   } catch (const std::exception& error) {
     throw Error("Cannot write '{}': {}; choose a folder that can be written and has space.", path,
                 error.what());
   }
+}
+
+}  // namespace
+
+void write_atomically(const std::string& path,
+                      const std::function<void(const std::string&)>& write) {
+  with_target(path, [&](const fs::path& target, bool is_device) {
+    if (is_device) {
+      write(path);  // it must not be replaced by a file
+    } else {
+      replace_file(target, write);
+    }
+  });
+}
+
+void check_writable(const std::string& path) {
+  with_target(path, [](const fs::path& target, bool is_device) {
+    if (!is_device) fs::remove(create_temporary(target));
+  });
 }
 
 void write_file_atomically(const std::string& path, const std::string& bytes) {

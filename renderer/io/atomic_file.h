@@ -11,6 +11,9 @@ namespace guidelight {
 void write_atomically(const std::string& path,
                       const std::function<void(const std::string&)>& write);
 
+/// Throws the same Error now if no file could be made there, before work is done for it.
+void check_writable(const std::string& path);
+
 /// The same for a ready string of bytes.
 void write_file_atomically(const std::string& path, const std::string& bytes);
 

@@ -48,7 +48,12 @@ void write_checkpoint(const std::string& path, const Checkpoint& checkpoint) {
                                  {"seed", checkpoint.seed},
                                  {"numbers", state.size()},
                                  {"identity", checkpoint.identity}};
-  std::string bytes = header.dump() + "\n";
+  std::string bytes;
+  try {
+    bytes = header.dump() + "\n";
+  } catch (const nlohmann::json::exception&) {
+    throw Error("{}: the scene's path or a variable of it is not UTF-8 text: rename it", path);
+  }
   const size_t start = bytes.size();
   bytes.resize(start + state.size() * sizeof(double));
   std::memcpy(bytes.data() + start, state.data(), state.size() * sizeof(double));

@@ -167,6 +167,10 @@ GuidePath read_guide(const json& object, const std::string& where) {
   for (size_t i = 0; i < vertices.size(); ++i) {
     guide.vertices.push_back(read_vertex(vertices[i], fmt::format("{}, vertex {}", where, i)));
   }
+  if (vertices.size() < 2) {
+    reader.fail("it has {} vertices: give one on a light and one where its light is wanted",
+                vertices.size());
+  }
   return guide;
 }
 

@@ -345,6 +345,7 @@ struct RenderHints {
 struct SceneDescription {
   std::string name;
   std::string path;                            // the file it came from, empty if none
+  std::string file_hash;                       // tells versions of that file apart
   std::map<std::string, std::string> defines;  // <default> variables it was read with
   std::vector<TextureDescription> textures;
   std::vector<BsdfDescription> bsdfs;

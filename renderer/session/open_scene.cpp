@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <fstream>
 #include <string_view>
 
 #include "renderer/error.h"
@@ -22,11 +23,28 @@ bool is_available(const std::string& name) {
          std::ranges::any_of(integrators(), [&](const auto& info) { return info.name == name; });
 }
 
+/// Tells versions of a file apart: FNV-1a over its bytes, hexadecimal; zeros if it cannot be read.
+std::string hash_of_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  uint64_t hash = file ? 0xcbf29ce484222325ull : 0;
+  std::array<char, 1 << 16> bytes;
+  while (file.read(bytes.data(), bytes.size()), file.gcount() > 0) {
+    for (std::streamsize i = 0; i < file.gcount(); ++i) {
+      hash = (hash ^ static_cast<uint8_t>(bytes[static_cast<size_t>(i)])) * 0x100000001b3ull;
+    }
+  }
+  return fmt::format("{:016x}", hash);
+}
+
 }  // namespace
 
 std::shared_ptr<SceneDescription> open_scene(const std::string& path,
                                              const std::map<std::string, std::string>& defines) {
+  // Before it is read: of a file that changes meanwhile, the hash is at worst that of the version
+  // before, which is then refused where the present one is asked for.
+  const std::string hash = hash_of_file(path);
   auto scene = std::make_shared<SceneDescription>(read_scene(path, defines));
+  scene->file_hash = hash;
   scene->path = std::filesystem::absolute(path).lexically_normal().string();
   scene->defines = defines;
   RenderHints& hints = scene->hints;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
 #include "renderer/error.h"
 #include "renderer/image/technique_images.h"
@@ -46,19 +45,12 @@ void require_picture(const Snapshot& snapshot) {
 
 }  // namespace
 
-std::string file_hash(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  uint64_t hash = file ? 0xcbf29ce484222325ull : 0;
-  for (char byte; file.get(byte);) hash = (hash ^ static_cast<uint8_t>(byte)) * 0x100000001b3ull;
-  return fmt::format("{:016x}", hash);
-}
-
 Metadata describe_render(const RenderJob& job, const Snapshot& snapshot) {
   const SceneDescription& description = job.scene->description();
   Metadata data;
   data["software"] = "Guidelight";
   data["scene"] = description.path;
-  data["scene_hash"] = file_hash(description.path);
+  data["scene_hash"] = description.file_hash;
   for (const auto& [name, value] : description.defines) data["define." + name] = value;
   data["integrator"] = job.integrator;
   const auto settings = job.settings

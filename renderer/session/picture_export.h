@@ -8,9 +8,6 @@
 
 namespace guidelight {
 
-/// Tells versions of a file apart: FNV-1a over its bytes, hexadecimal; zeros if it cannot be read.
-std::string file_hash(const std::string& path);
-
 /// What travels with every picture: scene, its hash and variables, integrator and parameters,
 /// passes, seconds, seed, camera. Keys are lower case, e.g. "scene", "scene_hash", "define.detail",
 /// "integrator", "set.max_depth", "passes".

@@ -51,6 +51,10 @@ class ProgressiveRender {
                         .region = job_.region,
                         .history = job_.history.get(),
                         .techniques = job_.techniques.get()};
+    if (first_pass > 0 && target_reached(*film)) {
+      show(*film, SessionState::Finished);
+      rest_until_there_is_more_to_do(film, first_pass);
+    }
     for (uint32_t pass = first_pass;; ++pass) {
       follow_guides(observer_.guides(), context);
       const size_t photons_wanted = observer_.photons_wanted();

@@ -192,10 +192,8 @@ TEST_F(CommandLine, says_why_it_failed_in_one_line_with_status_1) {
   for (const std::string& arguments :
        {std::string("info missing.xml"), std::string("info broken.xml"),
         std::string("render broken.xml -o kept.exr"), std::string("compare kept.exr kept.exr"),
-        "render '" + scene() + "' -o picture.gif",
-        "render '" + scene() + "' -o no/such/folder/a.exr --spp 1 --size 8x8",
-        "render '" + scene() + "' -o a.exr --integrator magic",
-        "render '" + scene() + "' -o a.exr --set depth=3"}) {
+        "render '" + scene() + "' -o no/such/folder/a.exr --time 1000",
+        "render '" + scene() + "' -o a.exr --checkpoint no/such/folder/a --time 1000"}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.status, 1) << arguments << "\n" << outcome.text;
     EXPECT_THAT(outcome.text, HasSubstr("guidelight: ")) << arguments;
@@ -213,6 +211,11 @@ TEST_F(CommandLine, bad_arguments_have_status_2) {
   EXPECT_EQ(render("-o a.exr --spp -3").status, 2);
   EXPECT_EQ(render("-o a.exr --spp 3 --time 3").status, 2);
   EXPECT_EQ(render("-o a.exr --set depth").status, 2);
+  EXPECT_EQ(render("-o a.exr --set depth=3").status, 2);
+  EXPECT_EQ(render("-o a.exr --integrator magic").status, 2);
+  EXPECT_EQ(render("-o a.exr --seed -1").status, 2);
+  EXPECT_EQ(render("-o a.exr --crop 0,0,64,64").status, 2);
+  EXPECT_EQ(render("-o picture.gif").status, 2);
   EXPECT_EQ(run("render '" + scene() + "' -o a.exr --size 12").status, 2);
   EXPECT_EQ(run("compare a.exr").status, 2);
   EXPECT_EQ(run("--help").status, 0);

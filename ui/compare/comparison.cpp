@@ -38,6 +38,15 @@ bool same_size(const Image& a, const Image& b) {
 
 }  // namespace
 
+void ErrorCurve::add(const Point& point) {
+  constexpr size_t kMostPoints = 4000;  // of a line that is drawn at once
+  points.push_back(point);
+  if (points.size() < kMostPoints) return;
+  size_t kept = 0;
+  for (size_t i = 0; i < points.size(); i += 2) points[kept++] = points[i];
+  points.resize(kept);
+}
+
 std::optional<ErrorCurve::Point> ErrorCurve::at(double seconds) const {
   const auto after = std::ranges::lower_bound(points, seconds, {}, &Point::seconds);
   if (after == points.end()) return std::nullopt;
@@ -90,8 +99,13 @@ void Comparison::pin() {
 void Comparison::forget() {
   reference_ = pinned_ = {};
   curve_ = pinned_curve_ = {};
-  metrics_.reset();
+  forget_errors();
   mode = Mode::Off;
+}
+
+void Comparison::forget_errors() {
+  metrics_.reset();
+  error_displayed_.reset();
 }
 
 void Comparison::update(Document::Clock::time_point now) {
@@ -99,7 +113,7 @@ void Comparison::update(Document::Clock::time_point now) {
   const auto& picture = document_.picture();
   if (!picture || picture->coarse || !other().image) return;
   if (!same_size(picture->layer(Layer::Beauty), *other().image)) {
-    metrics_.reset();
+    forget_errors();
     return;
   }
   if (picture->job != curve_job_ || curve_reference_ != reference_.image) {
@@ -127,8 +141,7 @@ void Comparison::measure(std::shared_ptr<const Snapshot> snapshot) {
       metrics_ = metrics;
       error_displayed_ = errors;
       if (other != reference || snapshot->job != curve_job_) return;
-      curve_.points.push_back(
-          {snapshot->seconds, metrics.relative_mse.plain, metrics.rms_relative_error.plain});
+      curve_.add({snapshot->seconds, metrics.relative_mse.plain, metrics.rms_relative_error.plain});
     });
   });
 }

@@ -27,6 +27,8 @@ struct ErrorCurve {
   std::string name;
   std::vector<Point> points;
 
+  /// Adds a point; of too many, every other one is dropped.
+  void add(const Point& point);
   /// At a time, between the points around it; empty outside of them.
   std::optional<Point> at(double seconds) const;
 };
@@ -77,6 +79,7 @@ class Comparison {
     bool operator==(const Developed&) const = default;
   };
 
+  void forget_errors();
   void develop_other();
   void measure(std::shared_ptr<const Snapshot> snapshot);
 

@@ -8,18 +8,37 @@
 namespace guidelight {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr std::chrono::milliseconds kCalm{400};  // without a change, before it is saved
+
+fs::file_time_type time_of(const std::string& path) {
+  std::error_code absent;
+  return fs::last_write_time(path, absent);
+}
+
+/// The name, or the name with the first number that no file has.
+std::string free_name(const std::string& name) {
+  std::string path = name;
+  for (int number = 2; fs::exists(path); ++number) path = name + std::to_string(number);
+  return path;
+}
 
 }  // namespace
 
 void GuideSaver::update(Clock::time_point now) {
   if (!document_.has_scene()) return;
   if (document_.openings() != scene_) {
+    const GuideList unsaved = pending() ? list_ : nullptr;
+    const std::string before = path_;
     flush();
     scene_ = document_.openings();
     path_ = guide_file_beside(document_.opened().path);
-    keep_unreadable_ = !document_.opened().guide_problem.empty();
+    is_unreadable_ = !document_.opened().guide_problem.empty();
     list_ = saved_ = document_.guides_as_opened();
+    writer_.run([this, path = path_] { known_ = time_of(path); });
+    // What was not saved yet was not in the file when the scene was read again.
+    if (unsaved && path_ == before) document_.edit_guides(*unsaved, "guides before the reload");
   }
   if (document_.guides() != list_) {
     list_ = document_.guides();
@@ -31,15 +50,29 @@ void GuideSaver::update(Clock::time_point now) {
 void GuideSaver::flush() {
   if (!pending()) return;
   saved_ = list_;
-  const bool keep = std::exchange(keep_unreadable_, false);
-  writer_.run([this, path = path_, list = list_, keep] {
+  const bool is_unreadable = std::exchange(is_unreadable_, false);
+  writer_.run([this, path = path_, list = list_, is_unreadable] {
     try {
-      if (keep) std::filesystem::rename(path, path + ".unreadable");
-      write_guides(path, *list);
+      write(path, list, is_unreadable);
     } catch (const std::exception& error) {
       queue_.post([this, text = std::string(error.what())] { document_.messages().error(text); });
     }
   });
+}
+
+/// On the writer's thread. A file that is not as we left it is somebody's work.
+void GuideSaver::write(const std::string& path, const GuideList& list, bool is_unreadable) {
+  const bool is_changed = fs::exists(path) && time_of(path) != known_;
+  if (is_unreadable || is_changed) {
+    const std::string aside = free_name(path + (is_unreadable ? ".unreadable" : ".other"));
+    fs::rename(path, aside);
+    const std::string reason = is_unreadable ? "could not be read" : "was changed from elsewhere";
+    queue_.post([this, text = path + " " + reason + "; it is kept as " + aside] {
+      document_.messages().warning(text);
+    });
+  }
+  write_guides(path, *list);
+  known_ = time_of(path);
 }
 
 }  // namespace guidelight

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -26,6 +27,7 @@ class GuideSaver {
 
  private:
   void flush();
+  void write(const std::string& path, const GuideList& list, bool is_unreadable);
 
   Document& document_;
   UiQueue& queue_;
@@ -33,9 +35,10 @@ class GuideSaver {
   uint64_t scene_ = 0;
   GuideList list_;
   GuideList saved_;
-  bool keep_unreadable_ = false;  // the file that could not be read is put aside, not overwritten
+  bool is_unreadable_ = false;  // the file; it is put aside, not overwritten
   Clock::time_point changed_at_;
-  BackgroundThread writer_;  // last: it finishes before the rest goes
+  std::filesystem::file_time_type known_;  // of the file when it was last ours; used by the writer
+  BackgroundThread writer_;                // last: it finishes before the rest goes
 };
 
 }  // namespace guidelight

@@ -52,18 +52,22 @@ bool VertexDrag::press(Document& document, const ToolView& view) {
   hover(document, view);
   active_ = handle_.has_value();
   if (active_) document.guide_view().selected = handle_->guide;
+  guides_ = document.guides();
   return active_;
 }
 
 void VertexDrag::drag(Document& document, const ToolView& view) {
+  if (document.guides() != guides_) handle_.reset();
+  if (!handle_) return;
   const Scene& scene = document.scene();
   const auto target = pick_surface(scene, view);
   auto guides = *document.guides();
-  if (!target || handle_->guide >= guides.size()) return;
+  if (!target) return;
   GuidePath& guide = guides[handle_->guide];
   guide = move_guide_vertex(scene, guide, handle_->vertex, *target);
   handle_->vertex = vertex_at(guide, target->position);
   document.edit_guides(std::move(guides), "drag of a vertex", "drag");
+  guides_ = document.guides();
 }
 
 void VertexDrag::release(Document& document) {

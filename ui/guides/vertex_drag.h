@@ -31,6 +31,7 @@ class VertexDrag {
 
  private:
   std::optional<GuideHandle> handle_;
+  GuideList guides_;  // as the drag left them: a change from elsewhere ends it
   bool active_ = false;
 };
 

@@ -122,8 +122,8 @@ bool GuideTool::take(Document& document, ToolCommand command) {
       finish(document);
       return true;
     case ToolCommand::RemoveLast:
-      if (draft_.empty()) return false;
-      draft_.remove_last();
+      // Also where nothing is left to take back: the key means something else without the tool.
+      if (!draft_.empty()) draft_.remove_last();
       return true;
     case ToolCommand::Cancel:
       if (draft_.empty()) finished_ = true;
