@@ -6,20 +6,6 @@ namespace guidelight {
 
 namespace {
 
-float default_radius(const FilterSettings& settings) {
-  switch (settings.kind) {
-    case FilterKind::Box:
-      return 0.5f;
-    case FilterKind::Tent:
-      return 1;
-    case FilterKind::Gaussian:
-      return 4 * settings.stddev;
-    case FilterKind::Mitchell:
-      break;
-  }
-  return 2;
-}
-
 float gaussian(float x, float stddev) { return std::exp(-0.5f * sqr(x / stddev)); }
 
 /// Mitchell & Netravali 1988, equation 8, for |x| in [0,2].
@@ -34,9 +20,24 @@ float mitchell(float x, float b, float c) {
 
 }  // namespace
 
+float filter_radius(const FilterSettings& settings) {
+  if (settings.radius > 0) return settings.radius;
+  switch (settings.kind) {
+    case FilterKind::Box:
+      return 0.5f;
+    case FilterKind::Tent:
+      return 1;
+    case FilterKind::Gaussian:
+      return 4 * settings.stddev;
+    case FilterKind::Mitchell:
+      break;
+  }
+  return 2;
+}
+
 Filter::Filter(const FilterSettings& settings) : settings_(settings) {
   if (!(settings_.stddev > 0)) settings_.stddev = FilterSettings().stddev;
-  radius_ = settings_.radius > 0 ? settings_.radius : default_radius(settings_);
+  radius_ = filter_radius(settings_);
   switch (settings_.kind) {
     case FilterKind::Box:
       normalisation_ = 0.5f / radius_;

@@ -18,6 +18,9 @@ struct FilterSettings {
   float c = 1.0f / 3;
 };
 
+/// How far a filter reaches from a pixel's centre [pixels].
+float filter_radius(const FilterSettings& settings);
+
 /// Pixel reconstruction filter, applied by importance sampling (Ernst et al. 2006): a sample for a
 /// pixel is taken at pixel centre + offset, the offset distributed like |f|, and counts with weight
 /// ∫|f| · sign f where ∫f = 1. Each sample then touches one pixel only, so film tiles need no

@@ -136,6 +136,7 @@ class TilePaths {
   }
 
   void add_environment(PathState& path, int depth, Vec3 direction) {
+    if (path.medium) path.throughput *= path.medium->transmittance(kInfinity);
     for (const Light* light : scene_.infinite_lights()) {
       const Color radiance = light->radiance_from(direction);
       if (is_black(radiance)) continue;

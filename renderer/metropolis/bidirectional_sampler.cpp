@@ -50,7 +50,7 @@ bool BidirectionalSampler::grow_from_eye(const Gap& gap, int count, Path& y, Ran
   const int end = i - count;
   if (gap.from_eye == 0) {
     const Camera& camera = scene_.camera();
-    const Vec2 raster = rng.next_vec2() * Vec2(camera.width(), camera.height());
+    const Vec2 raster = camera.sample_raster(rng.next_vec2());
     const Vec2 u_lens = rng.next_vec2();
     if (count == 1) return connect_to_lens(scene_, y, u_lens);
     Ray ray;

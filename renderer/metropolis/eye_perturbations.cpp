@@ -36,10 +36,7 @@ class PicturePerturbation : public Mutation {
     const float phi = 2 * kPi * rng.next_float();
     const Vec2 raster = x.raster + radius * Vec2(std::cos(phi), std::sin(phi));
     const Camera& camera = scene_.camera();
-    const bool inside = raster.x >= 0 && raster.y >= 0 &&
-                        raster.x < static_cast<float>(camera.width()) &&
-                        raster.y < static_cast<float>(camera.height());
-    if (!inside) return false;
+    if (!camera.is_seen(raster)) return false;
     Ray ray;
     sample_lens(scene_, y, raster, rng.next_vec2(), ray);
     return follow_to_light(scene_, y, y.length(), to, ray, rng.next_float());
@@ -48,10 +45,10 @@ class PicturePerturbation : public Mutation {
   double pdf_move(const Path& x, const Path& y, int to) const {
     const float distance = glm::length(y.raster - x.raster);
     const float pdf_raster = offsets_.pdf(distance) / (2 * kPi * distance);
-    // Uniform over the picture is what the camera's density means.
+    // Uniform over the raster is what the path's density means.
     const Camera& camera = scene_.camera();
-    const double pdf_direction =
-        double{pdf_raster} * camera.width() * camera.height() * y.lens().pdf_to_light;
+    const double pdf_direction = double{pdf_raster} * camera.raster_excess() * camera.width() *
+                                 camera.height() * y.lens().pdf_to_light;
     return y.pdf_from_eye(y.length()) * chain_pdf_to_light(y, y.length(), to, pdf_direction);
   }
 

@@ -19,6 +19,7 @@ Camera camera_of_region(const Camera& camera, const PixelRegion& region) {
   film.crop_y = (cropped ? film.crop_y : 0) + region.y0;
   film.crop_width = region.width();
   film.crop_height = region.height();
+  film.filter = {.kind = FilterKind::Box};  // which does not reach beyond it
   return {camera.description(), film};
 }
 

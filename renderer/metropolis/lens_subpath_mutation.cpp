@@ -56,7 +56,7 @@ class LensSubpathMutation final : public Mutation {
   /// index of that vertex, or -1.
   int grow(Path& y, int lowest, Rng& rng) const {
     const Camera& camera = scene_.camera();
-    const Vec2 raster = rng.next_vec2() * Vec2(camera.width(), camera.height());
+    const Vec2 raster = camera.sample_raster(rng.next_vec2());
     Ray ray;
     sample_lens(scene_, y, raster, rng.next_vec2(), ray);
     for (int i = y.length() - 1; i >= lowest; --i) {

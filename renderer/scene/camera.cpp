@@ -91,6 +91,7 @@ Camera::Camera(const CameraDescription& camera, const FilmDescription& film)
                            camera.principal_point_offset * Vec2(film.width, film.height);
   plane_origin_ = half + first_pixel * plane_per_pixel_;
   inverse_area_ = 1 / (plane_per_pixel_.x * plane_per_pixel_.y * width_ * height_);
+  margin_ = std::max(0.0f, filter_radius(film.filter) - 0.5f);
 
   if (camera.model == CameraModel::ThinLens && camera.aperture_radius > 0) {
     lens_radius_ = camera.aperture_radius;
@@ -147,11 +148,14 @@ CameraSample Camera::sample_ray(Vec2 raster, Vec2 u_lens) const {
   return sample;
 }
 
+bool Camera::is_seen(Vec2 raster) const {
+  const Vec2 end = Vec2(width_, height_) + margin_;
+  return raster.x >= -margin_ && raster.y >= -margin_ && raster.x < end.x && raster.y < end.y;
+}
+
 std::optional<Vec2> Camera::raster_of_plane(Vec2 plane) const {
   const Vec2 raster = (plane - plane_origin_) / plane_per_pixel_;
-  const bool inside = raster.x >= 0 && raster.y >= 0 && raster.x < static_cast<float>(width_) &&
-                      raster.y < static_cast<float>(height_);
-  return inside ? std::optional(raster) : std::nullopt;
+  return is_seen(raster) ? std::optional(raster) : std::nullopt;
 }
 
 std::optional<Vec2> Camera::raster_of(Vec3 lens_position, Vec3 w) const {

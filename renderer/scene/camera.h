@@ -20,7 +20,7 @@ struct CameraConnection {
   Vec3 lens_position;
   Vec3 direction;  // unit, from the point to the lens (orthographic: against the view direction)
   float distance;
-  Vec2 raster;          // [pixels], inside the picture
+  Vec2 raster;          // [pixels], inside the picture or its margin
   float importance;     // We, see Camera::connect
   float pdf_lens;       // per area on the lens; 1 (discrete) for a pinhole
   float cos_camera;     // cosine of the ray at the lens
@@ -33,7 +33,9 @@ struct CameraConnection {
 /// 1/(A·cos³θ) with A the picture's area at unit distance (for orthographic cameras the position
 /// density 1/A takes its place). The importance We = 1/(A·A_lens·cos⁴θ) is normalised to ∫We dA
 /// cosθ dω = 1 over lens and picture (Pharr et al., Physically Based Rendering, 16.1); a light
-/// path's contribution to pixel j is then W·H · f · We. Immutable; copies are cheap.
+/// path's contribution to pixel j is then W·H · f · We. Filters reach beyond the picture's edge,
+/// and so do rays, connections and importance, by a margin of the filter's radius. Immutable;
+/// copies are cheap.
 class Camera {
  public:
   /// Throws Error for a film without pixels, a crop window outside it, a singular transform, or a
@@ -53,19 +55,30 @@ class Camera {
   /// u_lens chooses the point on the lens.
   CameraSample sample_ray(Vec2 raster, Vec2 u_lens) const;
 
-  /// Empty if the point is not in the picture (or behind the camera, or clipped). The contribution
+  /// Empty if no pixel sees the point (or it is behind the camera, or clipped). The contribution
   /// of a light path that ends at the point is W·H · throughput · value(direction) · importance ·
   /// cos_camera / (distance² · pdf_lens). For orthographic cameras, whose direction is a delta,
   /// `importance` is distance²/A, which makes the same formula hold.
   std::optional<CameraConnection> connect(Vec3 point, Vec2 u_lens) const;
 
-  /// Raster position that sees along unit direction `w` from a lens point; empty outside the
-  /// picture.
+  /// Raster position that sees along unit direction `w` from a lens point; empty if no pixel's
+  /// filter reaches it.
   std::optional<Vec2> raster_of(Vec3 lens_position, Vec3 w) const;
 
-  /// Density of choosing unit direction w (see above), 0 outside the picture.
+  /// A uniform raster position within the margin.
+  Vec2 sample_raster(Vec2 u) const { return u * (Vec2(width_, height_) + 2 * margin_) - margin_; }
+  /// Whether a pixel's filter reaches a raster position.
+  bool is_seen(Vec2 raster) const;
+  /// The area within the margin over the picture's: pdf_direction over the density of directions by
+  /// sample_raster().
+  float raster_excess() const {
+    return (1 + 2 * margin_ / static_cast<float>(width_)) *
+           (1 + 2 * margin_ / static_cast<float>(height_));
+  }
+
+  /// Density of choosing unit direction w (see above), 0 where no pixel sees.
   float pdf_direction(Vec3 lens_position, Vec3 w) const;
-  /// We(lens_position, w), 0 outside the picture.
+  /// We(lens_position, w), 0 where no pixel sees.
   float importance(Vec3 lens_position, Vec3 w) const;
 
   bool has_pinhole() const { return lens_radius_ == 0; }
@@ -91,6 +104,7 @@ class Camera {
   Vec2 plane_origin_;
   Vec2 plane_per_pixel_;
   float inverse_area_;  // of the picture in its plane
+  float margin_;        // how far filters reach beyond the picture [pixels]
   float lens_radius_ = 0;
   float inverse_lens_area_ = 1;
   float inverse_focus_distance_ = 0;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "renderer/math/vector.h"
 
 namespace guidelight {
@@ -8,7 +10,13 @@ namespace guidelight {
 struct Medium {
   Color sigma_a{0.0f};  // [1 / scene unit]
 
-  Color transmittance(float distance) const { return glm::exp(-sigma_a * distance); }
+  /// Over a distance that may be infinite: a channel that nothing absorbs passes all the same.
+  Color transmittance(float distance) const {
+    const auto channel = [&](float sigma) {
+      return sigma > 0 ? std::exp(-sigma * distance) : 1.0f;
+    };
+    return {channel(sigma_a.x), channel(sigma_a.y), channel(sigma_a.z)};
+  }
 };
 
 }  // namespace guidelight

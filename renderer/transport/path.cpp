@@ -121,8 +121,9 @@ bool Path::update_lens(const Scene& scene) {
   raster = *where;
   const float importance = camera.importance(position, w);
   lens().value = Color(importance);
-  lens().pdf_to_light = camera.pdf_direction(position, w);
-  pdf_lens_ = importance * lens_cosine(camera, -w) / lens().pdf_to_light;
+  const float pdf = camera.pdf_direction(position, w);
+  lens().pdf_to_light = pdf / camera.raster_excess();
+  pdf_lens_ = importance * lens_cosine(camera, -w) / pdf;
   return importance > 0;
 }
 
@@ -160,8 +161,7 @@ void Path::update_transmittance(const Scene& scene) {
   // The camera knows what it is in; beyond an interface, the interface does.
   const Medium* medium = scene.camera_medium();
   for (int i = length() - 1; i >= 0; --i) {
-    const bool measurable = medium && std::isfinite(points[i].distance);
-    points[i].transmittance = measurable ? medium->transmittance(points[i].distance) : Color(1);
+    points[i].transmittance = medium ? medium->transmittance(points[i].distance) : Color(1);
     if (i > 0) medium = medium_beyond(points[i].point, -points[i - 1].direction, medium);
   }
 }

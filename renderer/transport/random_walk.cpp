@@ -10,6 +10,8 @@ namespace {
 
 /// Paths of dark surfaces are not cut so short that their few survivors become fireflies.
 constexpr float kLowestSurvival = 0.1f;
+/// Light that glass or mirrors without loss hold for ever is given up after a hundred segments.
+constexpr float kHighestSurvival = 0.99f;
 
 /// Density of next-event estimation over that of emission for the point on the light where the path
 /// began, as its first vertex sees it; choosing the light cancels.
@@ -29,7 +31,7 @@ float direct_over_emission(const Subpath& path, const SurfacePoint& vertex) {
 }  // namespace
 
 float survival_probability(const SurfacePoint& point) {
-  return std::clamp(max_component(point.bsdf->albedo(point)), kLowestSurvival, 1.0f);
+  return std::clamp(max_component(point.bsdf->albedo(point)), kLowestSurvival, kHighestSurvival);
 }
 
 EscapePartials escape_partials(const Subpath& path) {

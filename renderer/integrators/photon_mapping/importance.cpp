@@ -28,7 +28,7 @@ class EyeWalk {
     std::vector<Subpath> paths;
     for (size_t i = first; i < last; ++i) {
       Rng rng(setup_.seed ^ kImportanceStream, setup_.pass, i);
-      const Vec2 raster = rng.next_vec2() * Vec2(camera.width(), camera.height());
+      const Vec2 raster = camera.sample_raster(rng.next_vec2());
       paths.push_back(start_camera_path(setup_.scene, raster, rng));
     }
     diffuse_events_.assign(paths.size(), 0);
@@ -45,7 +45,8 @@ class EyeWalk {
     const bool is_new =
         events == 1 || vertex.length > 1 || !sees_along_lines(setup_.scene.camera());
     if (vertex.is_connectible() && is_new) {
-      const Color weight = vertex.throughput / static_cast<float>(count_);
+      const float excess = setup_.scene.camera().raster_excess();
+      const Color weight = vertex.throughput * excess / static_cast<float>(count_);
       auto& particles = events == 1 ? particles_.global : particles_.caustic;
       particles.push_back(make_surface_photon(vertex, weight, false));
     }

@@ -57,11 +57,12 @@ TEST(GuideFile, LiesBesideTheScene) {
 
 TEST(GuideFile, WhatIsLeftOutHasADefault) {
   const auto guides = parse_guides(
-      R"({"guidelight_guides":1,"guides":[{"vertices":[{"position":[1,2,3]}]}]})", "test");
+      R"({"guidelight_guides":1,"guides":[{"vertices":[{"position":[1,2,3]},{"position":[1,2,4]}]}]})",
+      "test");
   ASSERT_EQ(guides.size(), 1u);
   EXPECT_TRUE(guides[0].enabled);
   EXPECT_EQ(guides[0].weight, 1);
-  ASSERT_EQ(guides[0].vertices.size(), 1u);
+  ASSERT_EQ(guides[0].vertices.size(), 2u);
   EXPECT_EQ(guides[0].vertices[0].cone, kDefaultGuideCone);
   EXPECT_EQ(guides[0].vertices[0].event, PathEvent::Scatter);
 }
