@@ -5,6 +5,7 @@
 #include "ui/guides/new_guide.h"
 #include "ui/panels/panels.h"
 #include "ui/tools/guide_tool.h"
+#include "ui/tools/harvest_tool.h"
 #include "ui/tools/region_tool.h"
 
 namespace guidelight {
@@ -45,6 +46,9 @@ bool perform_on_files(Action action, const Workbench& bench) {
     case Action::WindowCapture:
       bench.state.capture_requested = true;
       return true;
+    case Action::SaveFigure:
+      bench.state.figure_requested = true;
+      return true;
     case Action::ExportHalf:
       bench.exporter.save_exr(true);
       return true;
@@ -57,6 +61,17 @@ bool perform_on_files(Action action, const Workbench& bench) {
     default:
       return false;
   }
+}
+
+/// Takes up a tool that drags a rectangle over the picture, or puts it aside.
+template <class Kind>
+void toggle_rectangle_tool(const Workbench& bench) {
+  if (bench.toolbox.holds<Kind>()) {
+    bench.toolbox.use_default();
+    return;
+  }
+  bench.toolbox.use(std::make_unique<Kind>());
+  if (!bench.views.shows_render()) bench.views.show(ShownViews::Render);
 }
 
 bool perform_on_guides(Action action, const Workbench& bench) {
@@ -75,6 +90,10 @@ bool perform_on_guides(Action action, const Workbench& bench) {
     case Action::ShowGuides:
       document.guide_view().shown = !document.guide_view().shown;
       return true;
+    case Action::HarvestTool:
+      toggle_rectangle_tool<HarvestTool>(bench);
+      bench.tabs.show(Tabs::Guides);
+      return true;
     case Action::KeepPath: {
       const Harvest& harvest = document.harvest();
       add_guide(document, harvest.paths[harvest.selected.value_or(0)].guide, "kept light path");
@@ -89,15 +108,6 @@ bool perform_on_guides(Action action, const Workbench& bench) {
     default:
       return false;
   }
-}
-
-void take_up_region_tool(const Workbench& bench) {
-  if (bench.toolbox.holds<RegionTool>()) {
-    bench.toolbox.use_default();
-    return;
-  }
-  bench.toolbox.use(std::make_unique<RegionTool>());
-  if (!bench.views.shows_render()) bench.views.show(ShownViews::Render);
 }
 
 void clear_region(const Workbench& bench) {
@@ -124,7 +134,7 @@ bool perform_on_render(Action action, const Workbench& bench) {
       document.restart();
       return true;
     case Action::RegionTool:
-      take_up_region_tool(bench);
+      toggle_rectangle_tool<RegionTool>(bench);
       return true;
     case Action::ClearRegion:
       clear_region(bench);

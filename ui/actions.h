@@ -19,7 +19,9 @@ struct WindowState {
   bool panels_shown = true;
   bool inspector_shown = true;
   bool key_sheet_shown = false;
-  bool capture_requested = false;  // of the whole window, in the next frame
+  // In the next frame:
+  bool capture_requested = false;  // of the whole window
+  bool figure_requested = false;
 };
 
 /// What actions work on.

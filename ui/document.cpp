@@ -66,6 +66,17 @@ ViewSettings::ViewSettings() {
   normal.gamma = 1;
 }
 
+std::optional<PixelRegion> ViewSettings::harvested() const {
+  if (harvested_region || !inspected_pixel) return harvested_region;
+  return PixelRegion{inspected_pixel->x, inspected_pixel->y, inspected_pixel->x + 1,
+                     inspected_pixel->y + 1};
+}
+
+void ViewSettings::forget_picked() {
+  inspected_pixel.reset();
+  harvested_region.reset();
+}
+
 size_t ViewSettings::slot() const {
   return static_cast<size_t>(is_radiance_layer(layer) ? Layer::Beauty : layer);
 }
@@ -84,7 +95,7 @@ void Document::open(OpenedScene opened) {
   guide_view_.selected.reset();
   guide_view_.solo.reset();
   take_guides();
-  view_.inspected_pixel.reset();
+  view_.forget_picked();
   range_known_ = {};
   resume_.reset();
   picture_ = nullptr;
@@ -165,7 +176,7 @@ void Document::apply_settings(const RenderSettings& settings) {
     session_.set_targets(settings.targets);
     return;
   }
-  if (is_resized(settings_, settings)) view_.inspected_pixel.reset();
+  if (is_resized(settings_, settings)) view_.forget_picked();
   settings_ = settings;
   restart();
 }
@@ -213,7 +224,7 @@ void Document::set_paused(bool paused) {
 void Document::update(Clock::time_point now) {
   messages_.expire(now);
   update_candidates();
-  watch_pixel();
+  watch_pixels();
   status_ = session_.snapshot();
   const bool of_this_scene = !jobs_.empty() && status_->job >= jobs_.front().number;
   if (of_this_scene && status_->has_picture()) picture_ = status_;
@@ -241,8 +252,8 @@ void Document::start(Clock::time_point now) {
   job.region = settings_.region;
   job.guides = followed_guides();
   history_ = std::make_shared<PixelHistory>();
-  watched_pixel_.reset();
-  watch_pixel();
+  watched_.clear();
+  watch_pixels();
   job.history = history_;
   job.coarse_first = true;
   if (resume_) {
@@ -321,18 +332,19 @@ void Document::set_photon_view(const PhotonView& view) {
   session_.request_photons(view.shown ? static_cast<size_t>(view.cap) : 0);
 }
 
-void Document::watch_pixel() {
-  const auto& pixel = view_.inspected_pixel;
-  if (pixel == watched_pixel_) return;
-  watched_pixel_ = pixel;
+void Document::watch_pixels() {
   std::vector<PixelHistory::Pixel> watched;
-  if (pixel) watched.push_back({pixel->x, pixel->y});
+  for (const auto& pixel : {view_.inspected_pixel, view_.hovered_pixel}) {
+    if (!pixel || (!watched.empty() && view_.inspected_pixel == pixel)) continue;
+    watched.push_back({pixel->x, pixel->y});
+  }
+  if (watched == watched_) return;
+  watched_ = watched;
   history_->watch(watched);
 }
 
-std::vector<PixelHistory::Entry> Document::pixel_history() const {
-  if (!watched_pixel_) return {};
-  return history_->of({watched_pixel_->x, watched_pixel_->y});
+std::vector<PixelHistory::Entry> Document::pixel_history(glm::ivec2 pixel) const {
+  return history_->of({pixel.x, pixel.y});
 }
 
 // -- Undo.

@@ -47,8 +47,15 @@ struct RenderSettings {
 struct ViewSettings {
   Layer layer = Layer::Beauty;
   std::optional<glm::ivec2> inspected_pixel;
+  std::optional<glm::ivec2> hovered_pixel;
+  /// Dragged to see the light paths of more than a pixel.
+  std::optional<PixelRegion> harvested_region;
 
   ViewSettings();
+  /// Whose light paths one may want to see: the rectangle's, else the pixel's.
+  std::optional<PixelRegion> harvested() const;
+  /// Whatever was picked is of another picture.
+  void forget_picked();
   /// Of the layer shown. Layers that hold radiance share theirs, the others have their own.
   DisplaySettings& current() { return display_[slot()]; }
   const DisplaySettings& current() const { return display_[slot()]; }
@@ -58,22 +65,28 @@ struct ViewSettings {
   std::array<DisplaySettings, kLayerCount> display_;
 };
 
-/// The light paths of the inspected pixel.
+/// The light paths of a part of the picture.
 struct Harvest {
-  std::vector<HarvestedPath> paths;  // the strongest first
+  std::optional<PixelRegion> region;  // empty while nobody wants to see any
+  std::vector<HarvestedPath> paths;   // the strongest first
   std::optional<size_t> selected;
   bool searching = false;
 };
 
-/// What photons are looked at by: their power, their bounce, or whether they make caustics.
-enum class PhotonColoring { Power, Bounce, Kind };
+/// What photons are looked at by: their power, their bounce, whether they make caustics, or the
+/// guide that their path followed.
+enum class PhotonColoring { Power, Bounce, Kind, Guide };
 
 /// How photons are looked at.
 struct PhotonView {
   bool shown = false;
+  bool points = true;
+  bool density = false;  // as colours of the surfaces
   PhotonColoring coloring = PhotonColoring::Power;
   float point_size = 3;  // [pixels]
   int cap = 50'000;      // of those drawn
+
+  bool operator==(const PhotonView&) const = default;
 };
 
 /// How guides are looked at and placed; not part of what is saved.
@@ -172,9 +185,9 @@ class Document {
   /// Photons cost nothing while they are not shown.
   void set_photon_view(const PhotonView& view);
 
-  /// How the density estimates of the inspected pixel have developed; empty without one, and for
-  /// methods without.
-  std::vector<PixelHistory::Entry> pixel_history() const;
+  /// How the density estimates of the inspected or the hovered pixel have developed; empty for
+  /// others, and for methods without.
+  std::vector<PixelHistory::Entry> pixel_history(glm::ivec2 pixel) const;
 
   // -- Undo, of guides and render settings.
   void undo();
@@ -204,7 +217,7 @@ class Document {
   void take_guides();
   void follow_guides();
   void update_candidates();
-  void watch_pixel();
+  void watch_pixels();
   GuideList followed_guides() const;
 
   struct Edits {
@@ -222,7 +235,7 @@ class Document {
   Harvest harvest_;
   PhotonView photon_view_;
   std::shared_ptr<PixelHistory> history_ = std::make_shared<PixelHistory>();  // of this job
-  std::optional<glm::ivec2> watched_pixel_;                                   // in history_
+  std::vector<PixelHistory::Pixel> watched_;                                  // in history_
   struct {
     std::optional<size_t> of;  // guide
     GuideCandidates drawn;

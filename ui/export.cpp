@@ -33,15 +33,14 @@ void Exporter::save_exr(bool half_precision) {
         });
 }
 
-void Exporter::save_window(DisplayImage window) {
+void Exporter::save_drawing(DisplayImage drawing, const std::string& kind) {
   Metadata metadata;
   if (document_.picture()) {
     metadata = describe_render(document_.picture_job(), *document_.picture());
   }
-  write(next_path("-window", "png"),
-        [window = std::move(window), metadata](const std::string& path) {
-          write_png(path, window, metadata);
-        });
+  write(next_path(kind, "png"), [drawing = std::move(drawing), metadata](const std::string& path) {
+    write_png(path, drawing, metadata);
+  });
 }
 
 void Exporter::write(const std::string& path, std::function<void(const std::string&)> writer) {

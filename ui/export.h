@@ -23,8 +23,8 @@ class Exporter {
   void save_png(std::shared_ptr<const Picture> picture);
   /// All layers, linear.
   void save_exr(bool half_precision);
-  /// The window with its panels.
-  void save_window(DisplayImage window);
+  /// What was drawn of it: `kind` follows the scene in the name of the file, "-window".
+  void save_drawing(DisplayImage drawing, const std::string& kind);
 
  private:
   void write(const std::string& path, std::function<void(const std::string&)> writer);

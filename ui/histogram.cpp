@@ -37,11 +37,13 @@ Histogram make_histogram(const Image& image) {
 std::pair<float, float> value_range(const Image& image) {
   std::vector<float> values;
   for (int y = 0; y < image.height(); ++y) {
-    for (int x = 0; x < image.width(); ++x) {
-      const float value = luminance(image.color(x, y));
-      if (std::isfinite(value) && value > 0) values.push_back(value);
-    }
+    for (int x = 0; x < image.width(); ++x) values.push_back(luminance(image.color(x, y)));
   }
+  return value_range(std::move(values));
+}
+
+std::pair<float, float> value_range(std::vector<float> values) {
+  std::erase_if(values, [](float value) { return !std::isfinite(value) || !(value > 0); });
   if (values.empty()) return {0.01f, 1.0f};
   const auto quantile = [&](double share) {
     const auto nth = values.begin() + static_cast<ptrdiff_t>(share * (values.size() - 1));

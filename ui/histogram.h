@@ -2,6 +2,7 @@
 
 #include <array>
 #include <utility>
+#include <vector>
 
 #include "renderer/image/image.h"
 
@@ -21,9 +22,11 @@ struct Histogram {
 
 Histogram make_histogram(const Image& image);
 
-/// The luminances that all but the darkest 1 % and the brightest 0.5 % of the lit pixels lie
-/// between; (0.01, 1) for an image without any. The upper is always greater than the lower, which
-/// is positive.
+/// What all but the lowest 1 % and the highest 0.5 % of the positive, finite values lie between;
+/// (0.01, 1) if there are none. The upper is always greater than the lower, which is positive.
+std::pair<float, float> value_range(std::vector<float> values);
+
+/// The same of the luminances of pixels.
 std::pair<float, float> value_range(const Image& image);
 
 }  // namespace guidelight

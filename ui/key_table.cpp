@@ -21,6 +21,7 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>({
     {Action::ResumeCheckpoint, GLFW_KEY_O, kControl | kShift, "File", "Resume checkpoint…"},
     {Action::Screenshot, GLFW_KEY_F12, 0, "File", "Save picture as PNG"},
     {Action::WindowCapture, GLFW_KEY_F12, kShift, "File", "Save window as PNG"},
+    {Action::SaveFigure, GLFW_KEY_F12, kControl, "File", "Save a figure with the guides"},
     {Action::ExportHalf, GLFW_KEY_E, kControl, "File", "Export EXR, half"},
     {Action::ExportFloat, GLFW_KEY_E, kControl | kShift, "File", "Export EXR, float"},
     {Action::Quit, GLFW_KEY_Q, kControl, "File", "Quit"},
@@ -30,6 +31,7 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>({
 
     {Action::NewGuide, GLFW_KEY_G, 0, "Guides", "Place a guide path"},
     {Action::ShowGuides, GLFW_KEY_G, kShift, "Guides", "Show or hide the guides"},
+    {Action::HarvestTool, GLFW_KEY_H, 0, "Guides", "Find the light of a rectangle"},
     {Action::KeepPath, GLFW_KEY_K, 0, "Guides", "Keep the light path as a guide"},
     {Action::DuplicateGuide, GLFW_KEY_D, kControl, "Guides", "Duplicate the guide"},
     {Action::DeleteGuide, GLFW_KEY_DELETE, 0, "Guides", "Delete the guide"},

@@ -65,19 +65,22 @@ const char* layer_label(Layer layer) {
   return "";
 }
 
-void draw_legend(ImDrawList& list, Vec2 corner, const Picture& picture) {
+float draw_legend(ImDrawList& list, Vec2 corner, const Picture& picture) {
   const DisplaySettings& display = picture.display;
   // Values are multiplied by the exposure before they are mapped, so the scale is divided by it.
   const float gain = std::exp2(display.exposure);
-  const float low = display.false_color_min / gain;
-  const float high = display.false_color_max / gain;
-  const char* unit = layer_unit(picture.layer);
+  return draw_color_scale(list, corner,
+                          {display.color_map, display.false_color_min / gain,
+                           display.false_color_max / gain, layer_unit(picture.layer)});
+}
 
+float draw_color_scale(ImDrawList& list, Vec2 corner, const ColorScale& scale) {
+  const char* unit = scale.heading.c_str();
   std::array<std::string, kTicks> labels;
   float widest = ImGui::CalcTextSize(unit).x - scaled(24);
   for (int tick = 0; tick < kTicks; ++tick) {
     const float t = static_cast<float>(tick) / (kTicks - 1);
-    labels[tick] = format_value(low * std::pow(high / low, t));
+    labels[tick] = format_value(scale.low * std::pow(scale.high / scale.low, t));
     widest = std::max(widest, ImGui::CalcTextSize(labels[tick].c_str()).x);
   }
   const float line = ImGui::GetTextLineHeight();
@@ -97,13 +100,14 @@ void draw_legend(ImDrawList& list, Vec2 corner, const Picture& picture) {
     const float to = static_cast<float>(step + 1) / kSteps;
     list.AddRectFilled(to_imgui(bar + Vec2(0, bar_size.y * (1 - to))),
                        to_imgui(bar + Vec2(bar_size.x, bar_size.y * (1 - from))),
-                       to_imgui_color(color_map(display.color_map, (from + to) / 2)));
+                       to_imgui_color(color_map(scale.map, (from + to) / 2)));
   }
   for (int tick = 0; tick < kTicks; ++tick) {
     const float y = bar_size.y * (1 - static_cast<float>(tick) / (kTicks - 1));
     list.AddText(to_imgui(bar + Vec2(bar_size.x + scaled(10), y - line / 2)), palette::kText,
                  labels[tick].c_str());
   }
+  return size.x + scaled(12);
 }
 
 }  // namespace guidelight

@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include <string>
+
 #include "ui/picture_developer.h"
 
 namespace guidelight {
@@ -13,6 +15,16 @@ const char* layer_label(Layer layer);
 
 /// The scale of a false-colour picture: colours, values and unit, in the corner that is given (the
 /// lower right one of the view).
-void draw_legend(ImDrawList& list, Vec2 corner, const Picture& picture);
+/// Returns its width, with the margin.
+float draw_legend(ImDrawList& list, Vec2 corner, const Picture& picture);
+
+/// The same for any values on a logarithmic scale, under a heading.
+struct ColorScale {
+  ColorMap map;
+  float low;
+  float high;
+  std::string heading;
+};
+float draw_color_scale(ImDrawList& list, Vec2 corner, const ColorScale& scale);
 
 }  // namespace guidelight

@@ -6,16 +6,20 @@ namespace guidelight {
 namespace {
 
 std::optional<SeenSurface> look_through(const Scene& scene, int x, int y) {
-  const Ray ray = scene.camera().sample_ray(Vec2(x + 0.5f, y + 0.5f), Vec2(0.5f)).ray;
-  const Hit hit = scene.intersect(ray);
-  if (!hit.valid()) return std::nullopt;
-  const SurfacePoint point = scene.surface_point(ray, hit);
-  return SeenSurface{scene.shape_name(point.shape), scene.bsdf_name(point.shape), point.position,
-                     glm::length(point.position - scene.camera().position()),
-                     point.light != nullptr};
+  const auto point = seen_through_pixel(scene, {x, y});
+  if (!point) return std::nullopt;
+  return SeenSurface{scene.shape_name(point->shape), scene.bsdf_name(point->shape), point->position,
+                     glm::length(point->position - scene.camera().position()),
+                     point->light != nullptr};
 }
 
 }  // namespace
+
+std::optional<SurfacePoint> seen_through_pixel(const Scene& scene, glm::ivec2 pixel) {
+  const Ray ray = scene.camera().sample_ray(Vec2(pixel) + 0.5f, Vec2(0.5f)).ray;
+  const Hit hit = scene.intersect(ray);
+  return hit.valid() ? std::optional(scene.surface_point(ray, hit)) : std::nullopt;
+}
 
 std::optional<PixelReport> probe_pixel(const Scene& scene, const Snapshot& snapshot, int x, int y) {
   const Image& beauty = snapshot.layer(Layer::Beauty);
@@ -32,6 +36,7 @@ std::optional<PixelReport> probe_pixel(const Scene& scene, const Snapshot& snaps
   report.direct = value(Layer::Direct);
   report.indirect = value(Layer::Indirect);
   report.caustic = value(Layer::Caustic);
+  report.connection = value(Layer::Connection);
   report.merging = value(Layer::Merging);
   report.albedo = value(Layer::Albedo);
   report.normal = value(Layer::Normal);

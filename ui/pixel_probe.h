@@ -17,6 +17,9 @@ struct SeenSurface {
   bool emits;
 };
 
+/// What is seen through the middle of a pixel of the scene's picture; empty: nothing.
+std::optional<SurfacePoint> seen_through_pixel(const Scene& scene, glm::ivec2 pixel);
+
 /// Everything that is known about one pixel.
 struct PixelReport {
   int x = 0;  // of the picture at full size
@@ -25,6 +28,7 @@ struct PixelReport {
   Color direct{0};
   Color indirect{0};
   Color caustic{0};
+  Color connection{0};
   Color merging{0};
   Color albedo{0};
   Vec3 normal{0};

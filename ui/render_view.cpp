@@ -12,6 +12,11 @@
 #include "ui/widgets.h"
 
 namespace guidelight {
+namespace {
+
+constexpr float kDensityOpacity = 0.9f;  // over the picture
+
+}  // namespace
 
 void RenderView::show(std::shared_ptr<const Picture> picture) {
   picture_ = std::move(picture);
@@ -99,6 +104,7 @@ void RenderView::draw_scene_overlays(Document& document, Toolbox& toolbox, ImDra
                                                   transform_.scale(), scene->bounds());
   ToolView view{projection, &transform_};
   view.mouse = from_imgui(ImGui::GetMousePos());
+  view.hovered = hovered;
   view.double_click = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
   const RenderSettings& settings = document.settings();
   NavigationTarget target;
@@ -111,19 +117,25 @@ void RenderView::draw_scene_overlays(Document& document, Toolbox& toolbox, ImDra
 
   draw_photons(projection, list, corner, room);
   if (settings.region) draw_region(*settings.region, settings, transform_, list);
-  draw_overlays(document, view, list);
+  draw_overlays(document, display_.photons().get(), view, list);
   toolbox.tool().draw(document, view, list);
-  if (picture_ && picture_->display.curve == ToneCurve::FalseColor) {
-    draw_legend(list, corner + room, *picture_);
-  }
+  draw_legends(list, corner + room);
   const std::string hint = toolbox.tool().hint();
   if (!hint.empty()) draw_hint(list, corner + Vec2(room.x / 2, room.y - scaled(32)), hint);
+}
+
+/// Side by side from the lower right corner.
+void RenderView::draw_legends(ImDrawList& list, Vec2 corner) const {
+  if (picture_ && picture_->display.curve == ToneCurve::FalseColor) {
+    corner.x -= draw_legend(list, corner, *picture_);
+  }
+  display_.draw_density_scale(list, corner);
 }
 
 /// Depth-tested against the scene, which itself stays invisible.
 void RenderView::draw_photons(const ViewProjection& projection, ImDrawList& list, Vec2 corner,
                               Vec2 room) {
-  if (!display_.has_photons() || !picture_) return;
+  if ((!display_.has_points() && !display_.has_density()) || !picture_) return;
   const Mat4 clip_from_world = projection.clip_from_world(corner, room);
   if (clip_from_world != photons_from_world_ || display_.version() != photons_version_) {
     photons_from_world_ = clip_from_world;
@@ -132,6 +144,9 @@ void RenderView::draw_photons(const ViewProjection& projection, ImDrawList& list
     MeshRaster::Look look;
     look.style = MeshStyle::DepthOnly;
     display_.draw_mesh(clip_from_world, look);
+    look.style = MeshStyle::Map;
+    look.opacity = kDensityOpacity;
+    display_.draw_density(clip_from_world, look);
     display_.draw_photons(clip_from_world, {});
     RasterTarget::end();
   }
@@ -142,12 +157,12 @@ void RenderView::draw_photons(const ViewProjection& projection, ImDrawList& list
   list.PopClipRect();
 }
 
-void RenderView::find_hovered_pixel(const Document& document, bool hovered) {
+void RenderView::find_hovered_pixel(Document& document, bool hovered) const {
   const glm::ivec2 pixel =
       glm::ivec2(glm::floor(transform_.to_pixel(from_imgui(ImGui::GetMousePos()))));
   const bool inside = pixel.x >= 0 && pixel.y >= 0 && pixel.x < document.settings().width &&
                       pixel.y < document.settings().height;
-  hovered_pixel_ = hovered && inside ? std::optional(pixel) : std::nullopt;
+  if (hovered && inside) document.view().hovered_pixel = pixel;
 }
 
 }  // namespace guidelight

@@ -30,9 +30,6 @@ class RenderView {
 
   ViewTransform& transform() { return transform_; }
   const ViewTransform& transform() const { return transform_; }
-  /// Under the mouse; empty outside the picture.
-  std::optional<glm::ivec2> hovered_pixel() const { return hovered_pixel_; }
-
   /// Whether the view must be drawn again at once, because something moves by itself.
   bool animating() const { return mouse_.flying(); }
 
@@ -44,7 +41,8 @@ class RenderView {
   void draw_scene_overlays(Document& document, Toolbox& toolbox, ImDrawList& list, Vec2 corner,
                            Vec2 room, bool hovered);
   void draw_photons(const ViewProjection& projection, ImDrawList& list, Vec2 corner, Vec2 room);
-  void find_hovered_pixel(const Document& document, bool hovered);
+  void draw_legends(ImDrawList& list, Vec2 corner) const;
+  void find_hovered_pixel(Document& document, bool hovered) const;
 
   const Window& window_;
   const DisplayScene& display_;
@@ -53,7 +51,6 @@ class RenderView {
   PictureTexture texture_;
   ViewTransform transform_;
   ViewMouse mouse_;
-  std::optional<glm::ivec2> hovered_pixel_;
 
   PictureTexture other_texture_;
   std::shared_ptr<const DisplayImage> other_;  // in the texture

@@ -8,6 +8,7 @@
 
 #include "renderer/error.h"
 #include "ui/actions.h"
+#include "ui/figure.h"
 #include "ui/guides/guide_saver.h"
 #include "ui/guides/harvester.h"
 #include "ui/layout.h"
@@ -16,6 +17,7 @@
 #include "ui/recent_files.h"
 #include "ui/theme.h"
 #include "ui/tools/guide_tool.h"
+#include "ui/tools/harvest_tool.h"
 #include "ui/tools/region_tool.h"
 #include "ui/ui_queue.h"
 #include "ui/widgets.h"
@@ -45,6 +47,7 @@ class Viewer {
   void draw_frame();
   void draw_panels();
   void draw_views();
+  void save_figure();
   void update_title();
   void wait_for_next_frame(Clock::time_point last_frame);
   double seconds_to_sleep() const;
@@ -119,7 +122,7 @@ void Viewer::run() {
     checkpoints_.update(frame_began);
     guide_saver_.update(frame_began);
     harvester_.update(state_.panels_shown && tabs_.shown() == Tabs::Guides);
-    display_.update(document_);
+    display_.update(document_, frame_began);
     comparison_.update(frame_began);
     if (document_.picture()) {
       developer_.request(document_.picture(), document_.view().layer, document_.view().current());
@@ -141,7 +144,8 @@ void Viewer::wait_for_next_frame(Clock::time_point last_frame) {
 }
 
 double Viewer::seconds_to_sleep() const {
-  if (document_.restart_pending() || guide_saver_.pending()) return kBriefSleep;
+  if (document_.restart_pending() || guide_saver_.pending() || display_.pending())
+    return kBriefSleep;
   const bool calm = document_.messages().shown().empty() && !ImGui::GetIO().WantTextInput;
   return calm ? kLongSleep : kShortSleep;
 }
@@ -166,6 +170,7 @@ void Viewer::draw_frame() {
   layout_.update(state_.panels_shown, menu_height);
   draw_views();
   if (state_.panels_shown) draw_panels();
+  if (std::exchange(state_.figure_requested, false)) save_figure();
   file_dialog_.draw(recent_);
   if (state_.key_sheet_shown) draw_key_sheet(state_.key_sheet_shown);
 
@@ -173,15 +178,24 @@ void Viewer::draw_frame() {
     state_.capture_requested = false;
     DisplayImage capture;
     window_.end_frame(&capture);
-    exporter_.save_window(std::move(capture));
+    exporter_.save_drawing(std::move(capture), "-window");
   } else {
     window_.end_frame();
   }
 }
 
+void Viewer::save_figure() {
+  if (!view_.picture() || !document_.picture()) {
+    document_.messages().warning("There is no picture for a figure yet.");
+    return;
+  }
+  exporter_.save_drawing(paint_figure(document_, *view_.picture()), "-figure");
+}
+
 void Viewer::draw_views() {
   const Area& area = layout_.view();
   views_.update(area);
+  document_.view().hovered_pixel.reset();
   if (views_.shows_render()) {
     begin_area("view", views_.render(), Padding::None, palette::kBackdrop);
     view_.draw(document_, toolbox_);
@@ -215,19 +229,21 @@ void Viewer::draw_panels() {
     if (tabs_.tab(Tabs::Image)) {
       draw_image_panel(document_, act);
       draw_histogram_panel(document_, view_.picture().get());
-      if (state_.inspector_shown) draw_inspector_panel(document_, view_.hovered_pixel());
+      if (state_.inspector_shown) draw_inspector_panel(document_);
       ImGui::EndTabItem();
     }
     if (tabs_.tab(Tabs::Guides)) {
-      draw_guides_panel(document_, toolbox_.holds<GuideTool>(), guide_saver_.path(), act);
+      draw_guides_panel(document_, {toolbox_.holds<GuideTool>(), toolbox_.holds<HarvestTool>()},
+                        guide_saver_.path(), act);
       ImGui::EndTabItem();
     }
     if (tabs_.tab(Tabs::Photons)) {
-      draw_photons_panel(document_, display_.powers());
+      draw_photons_panel(document_, display_);
       ImGui::EndTabItem();
     }
     if (tabs_.tab(Tabs::Compare)) {
       draw_compare_panel(document_, comparison_, act);
+      draw_statistics_panel(document_);
       ImGui::EndTabItem();
     }
     ImGui::EndTabBar();
@@ -235,7 +251,7 @@ void Viewer::draw_panels() {
   ImGui::End();
 
   begin_area("status", layout_.status(), Padding::Bar, palette::kPanel);
-  draw_status_bar(document_, view_, opener_.loading());
+  draw_status_bar(document_, view_.transform().scale(), opener_.loading());
   ImGui::End();
 }
 

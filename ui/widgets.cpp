@@ -105,6 +105,25 @@ void readout(const char* label, const std::string& value, const std::string& hel
   if (shown != value) tooltip(value);
 }
 
+void share_bar(const char* label, float share, const std::string& value, const std::string& help) {
+  row_label(label, help);
+  const Vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
+  const Vec2 size(ImGui::GetContentRegionAvail().x, ImGui::GetTextLineHeight());
+  ImGui::Dummy(to_imgui(size));
+  tooltip(help);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float rounding = scaled(3);
+  list.AddRectFilled(to_imgui(corner), to_imgui(corner + size), palette::kField, rounding);
+  const float filled = size.x * std::clamp(share, 0.0f, 1.0f);
+  if (filled >= 1) {
+    list.AddRectFilled(to_imgui(corner), to_imgui(corner + Vec2(filled, size.y)),
+                       palette::kAccentSoft, rounding);
+  }
+  const std::string shown = shortened(value, size.x - scaled(8));
+  const float left = size.x - text_width(shown) - scaled(5);
+  list.AddText(to_imgui(corner + Vec2(left, 0)), palette::kText, shown.c_str());
+}
+
 void dim_text(const std::string& text) {
   ImGui::PushStyleColor(ImGuiCol_Text, palette::kDim);
   ImGui::TextUnformatted(text.c_str());
@@ -142,6 +161,16 @@ bool toggle_button(const char* label, bool on, ImVec2 size) {
 void centered_text(ImDrawList& list, Vec2 center, ImU32 color, const std::string& text) {
   const Vec2 size = from_imgui(ImGui::CalcTextSize(text.c_str()));
   list.AddText(to_imgui(glm::round(center - 0.5f * size)), color, text.c_str());
+}
+
+void draw_note(ImDrawList& list, Vec2 corner, const std::string& text, ImU32 ground, ImU32 color) {
+  const Vec2 size = from_imgui(ImGui::CalcTextSize(text.c_str()));
+  const Vec2 pad(scaled(7), scaled(4));
+  const Vec2 lowest = from_imgui(list.GetClipRectMin()) + pad;
+  const Vec2 highest = from_imgui(list.GetClipRectMax()) - size - 2.0f * pad;
+  const Vec2 low = glm::max(glm::min(corner, highest), lowest);
+  list.AddRectFilled(to_imgui(low - pad), to_imgui(low + size + pad), ground, scaled(4));
+  list.AddText(to_imgui(low), color, text.c_str());
 }
 
 void draw_hint(ImDrawList& list, Vec2 center, const std::string& text) {

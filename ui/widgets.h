@@ -37,6 +37,9 @@ bool number(const char* id, float& value, float low, float high, const std::stri
 /// whole.
 void readout(const char* label, const std::string& value, const std::string& help = "");
 
+/// A row with a bar that is filled to a share, 0 … 1, and what it says on it.
+void share_bar(const char* label, float share, const std::string& value, const std::string& help);
+
 void dim_text(const std::string& text);
 void wrapped_dim_text(const std::string& text);
 /// Explains the widget before it when the mouse rests there.
@@ -45,8 +48,13 @@ void tooltip(const std::string& text);
 /// A button in the accent colour while `on`.
 bool toggle_button(const char* label, bool on, ImVec2 size = {0, 0});
 
-/// Text around a point of the screen; the second on a dark pill.
+/// Text around a point of the screen.
 void centered_text(ImDrawList& list, Vec2 center, ImU32 color, const std::string& text);
+/// Text on a dark ground, moved so that all of it lies within the clip rectangle.
+void draw_note(ImDrawList& list, Vec2 corner, const std::string& text,
+               ImU32 ground = IM_COL32(20, 20, 20, 225),
+               ImU32 color = IM_COL32(222, 222, 224, 255));
+/// Text around a point, on a dark pill.
 void draw_hint(ImDrawList& list, Vec2 center, const std::string& text);
 
 /// The text, or its beginning and end around "…", so that it is no wider than `width`.

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "renderer/error.h"
+#include "ui/gl/offscreen.h"
 #include "ui/theme.h"
 
 namespace guidelight {
@@ -49,20 +50,6 @@ Window& window_of(GLFWwindow* handle) {
 }
 
 /// What has been drawn and not yet shown.
-DisplayImage read_back_buffer(int width, int height) {
-  DisplayImage image{width, height, {}};
-  const size_t row = static_cast<size_t>(width) * 4;
-  std::vector<uint8_t> bottom_up(row * height);
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadBuffer(GL_BACK);
-  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, bottom_up.data());
-  image.rgba.resize(bottom_up.size());
-  for (int y = 0; y < height; ++y) {
-    std::copy_n(bottom_up.data() + y * row, row, image.rgba.data() + (height - 1 - y) * row);
-  }
-  for (size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
-  return image;
-}
 
 }  // namespace
 
@@ -208,7 +195,10 @@ void Window::end_frame(DisplayImage* capture) {
   glClearColor(backdrop.x, backdrop.y, backdrop.z, 1);
   glClear(GL_COLOR_BUFFER_BIT);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-  if (capture) *capture = read_back_buffer(width, height);
+  if (capture) {
+    glReadBuffer(GL_BACK);
+    *capture = read_framebuffer(width, height);
+  }
   glfwSwapBuffers(window_);
 }
 

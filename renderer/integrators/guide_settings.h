@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "renderer/integrators/integrator.h"
+#include "renderer/photons/photon_cloud.h"
 #include "renderer/transport/guided_walk.h"
 
 namespace guidelight {
@@ -24,7 +25,8 @@ struct GuideSettings {
   /// Empty where no path follows a guide.
   std::optional<GuidedEmission> guided_emission(const PassContext& context) const {
     if (!context.guides || !(guided_fraction > 0)) return std::nullopt;
-    return GuidedEmission{context.guides.get(), guided_fraction};
+    return GuidedEmission{context.guides.get(), guided_fraction,
+                          context.photons ? &context.photons->guided_places() : nullptr};
   }
 };
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "renderer/photons/packing.h"
-#include "renderer/sampling/random.h"
+#include "renderer/sampling/hash_position.h"
 #include "renderer/transport/mis_partials.h"
 
 namespace guidelight {
@@ -26,13 +26,6 @@ struct Photon {
   bool caustic() const { return packed_direction >> 31; }
 };
 static_assert(sizeof(Photon) == 32);
-
-/// Bits that look random and depend on a place alone.
-inline uint64_t hash_position(Vec3 p) {
-  const uint64_t xy =
-      static_cast<uint64_t>(std::bit_cast<uint32_t>(p.x)) << 32 | std::bit_cast<uint32_t>(p.y);
-  return mix_bits(mix_bits(xy) ^ std::bit_cast<uint32_t>(p.z));
-}
 
 /// Packs a photon. Its power is right in the mean over photons (see pack_color); the same photon is
 /// always packed alike.

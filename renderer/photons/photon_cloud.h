@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "renderer/photons/photon.h"
+#include "renderer/transport/guided_places.h"
 
 namespace guidelight {
 
@@ -15,6 +16,7 @@ struct PhotonCloud {
     Color power;     // [W]
     int bounce;      // segments of the light path that ends here
     bool caustic;    // see Photon::caustic
+    int guide;       // position in the list of guides of the one its path began with; -1 for none
   };
   std::vector<Point> points;
   size_t total = 0;  // photons of the pass, of which `points` are evenly chosen ones
@@ -40,18 +42,23 @@ class PhotonRequest {
   }
 
   PhotonCloud& cloud() { return cloud_; }
+  /// Where the pass's light paths have followed guides; to be filled before collect().
+  GuidedPlaces& guided_places() { return places_; }
 
  private:
   template <class Map>
   void take(const Map& map, size_t stride, float scale) {
     for (size_t i = 0; i < map.size(); i += stride) {
       const Photon& photon = map[i];
+      const auto guide = places_.guide_at(photon.position);
       cloud_.points.push_back({photon.position, photon.direction(), scale * photon.power(),
-                               photon.length(), photon.caustic()});
+                               photon.length(), photon.caustic(),
+                               guide ? static_cast<int>(*guide) : -1});
     }
   }
 
   size_t cap_;
+  GuidedPlaces places_;
   PhotonCloud cloud_;
 };
 

@@ -19,10 +19,11 @@ struct PhotonCollector {
   int max_length;
 
   void escaped(uint32_t, Subpath&) {}
-  bool visit(uint32_t, Subpath&, const PathVertex& vertex, const Scattering& scattering) {
+  bool visit(uint32_t, Subpath& path, const PathVertex& vertex, const Scattering& scattering) {
     if (scattering.is_connectible()) {
       photons.push_back(make_photon(vertex.point.position, vertex.wo, vertex.throughput,
                                     vertex.length, vertex.is_caustic()));
+      if (path.guided) path.guided->left_photon(vertex.point.position);
     }
     return vertex.length < max_length;
   }

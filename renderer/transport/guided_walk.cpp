@@ -1,5 +1,7 @@
 #include "renderer/transport/guided_walk.h"
 
+#include "renderer/transport/guided_places.h"
+
 namespace guidelight {
 
 float GuidedEmission::density_ratio(const Light& light, const SurfacePoint& point, Vec3 ray_origin,
@@ -16,10 +18,10 @@ GuidedWalk::Choice GuidedWalk::begin(Rng& rng) {
   candidates_.clear();
   finished_ = 0;
   density_ = 1;
-  guide_ = kNoGuide;
+  guide_ = began_with_ = kNoGuide;
   const float u = rng.next_float();
   if (u >= emission_.fraction) return {false, std::nullopt};
-  guide_ = emission_.mixture->choose(u / emission_.fraction);
+  guide_ = began_with_ = emission_.mixture->choose(u / emission_.fraction);
   const Vec2 u_position = rng.next_vec2();
   return {true, emission_.mixture->start(guide_, u_position, rng.next_vec2())};
 }
@@ -69,6 +71,11 @@ double GuidedWalk::step_ratio(uint32_t guide, int i, const Scattering& scatterin
   const auto followed = scattering.specular(sample.lobe);
   const bool is_same = followed && length_squared(followed->wi - sample.wi) < 1e-8f;
   return is_same ? 1 / ordinary : 0.0;
+}
+
+void GuidedWalk::left_photon(Vec3 position) const {
+  if (!emission_.places || began_with_ == kNoGuide) return;
+  emission_.places->note(position, emission_.mixture->index_in_list(began_with_));
 }
 
 void GuidedWalk::finish(int i) {

@@ -8,10 +8,13 @@
 
 namespace guidelight {
 
+class GuidedPlaces;
+
 /// Light paths of which a share follows guides, the others the lights and BSDFs alone.
 struct GuidedEmission {
   const GuideMixture* mixture;
-  float fraction;  // that follows guides, in (0, 1)
+  float fraction;                  // that follows guides, in (0, 1)
+  GuidedPlaces* places = nullptr;  // told where guided paths leave photons; may be null
 
   /// Density of a first segment over that of ordinary emission, which is `pdf`: the choice of the
   /// light times position times direction. Arguments as of GuideMixture::pdf_start.
@@ -37,6 +40,9 @@ class GuidedWalk {
   /// Takes note of the first segment; `pdf` as of GuidedEmission::density_ratio. Returns that
   /// ratio.
   float emit(const Light& light, const EmissionSample& emission, double pdf);
+
+  /// The path has left a photon here.
+  void left_photon(Vec3 position) const;
 
   /// Whether the path follows a guide from the vertex where it has arrived.
   bool follows_guide() const { return guide_ != kNoGuide; }
@@ -65,6 +71,7 @@ class GuidedWalk {
 
   GuidedEmission emission_;
   uint32_t guide_ = kNoGuide;          // that is followed
+  uint32_t began_with_ = kNoGuide;     // the same, also when the guide has ended
   std::vector<Candidate> candidates_;  // guides that could have made the path and go on
   double finished_ = 0;                // Σ w_j r_j of those that could have and do not
   double density_ = 1;                 // (1 - a) + a Σ w_j r_j

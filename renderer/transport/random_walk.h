@@ -90,6 +90,7 @@ void RandomWalk::run(std::span<Subpath> paths, Visitor& visitor) {
       const uint32_t index = active_[i];
       Subpath& path = paths[index];
       if (!hits_[i].valid()) {
+        if (path.medium) path.throughput *= path.medium->transmittance(kInfinity);
         visitor.escaped(index, path);
         continue;
       }

@@ -36,6 +36,7 @@ in vec3 surface_normal;
 in vec4 surface_color;
 in vec3 corner;
 uniform int style;
+uniform float opacity;
 out vec4 color;
 void main() {
   float facing = abs(dot(normalize(to_eye), normalize(surface_normal)));
@@ -53,6 +54,9 @@ void main() {
   } else if (style == 2) {
     float rim = (1 - facing) * (1 - facing);
     color = vec4(shaded, is_light ? 0.8 : 0.07 + 0.4 * rim);
+  } else if (style == 4) {
+    if (is_clear) discard;
+    color = vec4(surface_color.rgb * (0.8 + 0.2 * facing), opacity);
   } else {
     color = vec4(shaded, 1);
   }
@@ -81,11 +85,20 @@ void MeshRaster::draw(const Mat4& clip_from_world, const Look& look) const {
   program_.set("clip_plane", look.clip_plane);
   program_.set("eye", look.eye);
   program_.set("style", static_cast<int>(look.style));
+  program_.set("opacity", look.opacity);
   const bool transparent = look.style == MeshStyle::SeeThrough;
+  const bool map = look.style == MeshStyle::Map;
   if (transparent) {
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glDisable(GL_DEPTH_TEST);
+  } else if (map) {
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glEnable(GL_POLYGON_OFFSET_FILL);  // before the same surface, divided otherwise
+    glPolygonOffset(-1, -4);
   } else {
     glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);
@@ -95,6 +108,7 @@ void MeshRaster::draw(const Mat4& clip_from_world, const Look& look) const {
   glEnable(GL_CLIP_DISTANCE0);
   vertices_.draw_triangles();
   glDisable(GL_CLIP_DISTANCE0);
+  glDisable(GL_POLYGON_OFFSET_FILL);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 

@@ -11,23 +11,21 @@ constexpr size_t kPathsShown = 10;
 void Harvester::update(bool wanted) {
   Subject subject;
   if (wanted && document_.has_scene()) {
-    subject = {document_.openings(), document_.camera().to_world(),
-               document_.view().inspected_pixel};
+    subject = {document_.openings(), document_.camera().to_world(), document_.view().harvested()};
   }
   if (subject == subject_) return;
   stop_ = busy_;
   if (busy_) return;
   subject_ = subject;
-  document_.harvest() = {};
-  if (!subject.pixel) return;
+  document_.harvest() = {subject.region, {}, {}, subject.region.has_value()};
+  if (!subject.region) return;
   busy_ = true;
-  document_.harvest().searching = true;
   worker_.run([this, subject, scene = document_.current_scene()] {
-    auto paths = harvest(*scene, PixelRegion::pixel(*subject.pixel), kSamples, kPathsShown, stop_);
+    auto paths = harvest(*scene, *subject.region, kSamples, kPathsShown, stop_);
     queue_.post([this, subject, paths = std::move(paths)] {
       busy_ = false;
       stop_ = false;
-      if (subject == subject_) document_.harvest() = {paths, {}, false};
+      if (subject == subject_) document_.harvest() = {subject.region, paths, {}, false};
     });
   });
 }

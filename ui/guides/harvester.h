@@ -8,7 +8,8 @@
 
 namespace guidelight {
 
-/// Finds the light paths of the inspected pixel in the background and hands them to the document.
+/// Finds the light paths of the part of the picture that was picked in the background and hands
+/// them to the document.
 class Harvester {
  public:
   Harvester(Document& document, UiQueue& queue) : document_(document), queue_(queue) {}
@@ -21,7 +22,7 @@ class Harvester {
   struct Subject {  // what the paths are of
     uint64_t scene = 0;
     Mat4 camera{0.0f};
-    std::optional<glm::ivec2> pixel;
+    std::optional<PixelRegion> region;
     bool operator==(const Subject&) const = default;
   };
 

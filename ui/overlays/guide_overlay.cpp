@@ -5,6 +5,7 @@
 #include "renderer/math/frame.h"
 #include "ui/overlays/world_painter.h"
 #include "ui/theme.h"
+#include "ui/tools/rectangle_tool.h"
 #include "ui/widgets.h"
 
 namespace guidelight {
@@ -37,6 +38,23 @@ class GuideDrawing {
     if (selected_) draw_cones();
     draw_path();
     if (selected_ && fault_) draw_reason();
+  }
+
+  void draw_path() {
+    const float thickness = scaled(selected_ ? 3.0f : 1.75f);
+    for (int i = 1; i < count(); ++i) {
+      const bool faulty = fault_ && i == fault_->vertex;
+      const bool behind_fault = fault_ && i > fault_->vertex;
+      const ImU32 color = faulty ? palette::kError : behind_fault ? faded(color_, 0.5f) : color_;
+      painter_.line(at(i - 1), at(i), color, thickness);
+    }
+    for (int i = 0; i < count(); ++i) {
+      const bool faulty = fault_ && i == fault_->vertex;
+      const bool specular =
+          i > 0 && i + 1 < count() && guide_.vertices[i].event != PathEvent::Scatter;
+      const float radius = scaled((specular ? 2.5f : 4.0f) + (selected_ ? 1.0f : 0.0f));
+      painter_.dot(at(i), faulty ? palette::kError : color_, radius);
+    }
   }
 
  private:
@@ -79,36 +97,11 @@ class GuideDrawing {
     }
   }
 
-  void draw_path() {
-    const float thickness = scaled(selected_ ? 3.0f : 1.75f);
-    for (int i = 1; i < count(); ++i) {
-      const bool faulty = fault_ && i == fault_->vertex;
-      const bool behind_fault = fault_ && i > fault_->vertex;
-      const ImU32 color = faulty ? palette::kError : behind_fault ? faded(color_, 0.5f) : color_;
-      painter_.line(at(i - 1), at(i), color, thickness);
-    }
-    for (int i = 0; i < count(); ++i) {
-      const bool faulty = fault_ && i == fault_->vertex;
-      const bool specular =
-          i > 0 && i + 1 < count() && guide_.vertices[i].event != PathEvent::Scatter;
-      const float radius = scaled((specular ? 2.5f : 4.0f) + (selected_ ? 1.0f : 0.0f));
-      painter_.dot(at(i), faulty ? palette::kError : color_, radius);
-    }
-  }
-
   void draw_reason() {
     const auto place = view_.projection.to_screen(at(std::clamp(fault_->vertex, 0, count() - 1)));
     if (!place) return;
-    const std::string text = shortened(fault_->message, scaled(420));
-    const Vec2 size = from_imgui(ImGui::CalcTextSize(text.c_str()));
-    const Vec2 pad(scaled(7), scaled(4));
-    Vec2 low = *place + Vec2(scaled(14), scaled(10));
-    const Vec2 room(list_.GetClipRectMax().x, list_.GetClipRectMax().y);
-    low =
-        glm::max(glm::min(low, room - size - 2.0f * pad), from_imgui(list_.GetClipRectMin()) + pad);
-    list_.AddRectFilled(to_imgui(low - pad), to_imgui(low + size + pad), IM_COL32(60, 18, 16, 230),
-                        scaled(4));
-    list_.AddText(to_imgui(low), IM_COL32(255, 214, 210, 255), text.c_str());
+    draw_note(list_, *place + Vec2(scaled(14), scaled(10)), shortened(fault_->message, scaled(420)),
+              IM_COL32(60, 18, 16, 230), IM_COL32(255, 214, 210, 255));
   }
 
   const Document& document_;
@@ -133,8 +126,15 @@ void draw_guides(const Document& document, const ToolView& view, ImDrawList& lis
   if (selected) GuideDrawing(document, *selected, view, list).draw();
 }
 
+void draw_plain_guide(const Document& document, size_t guide, const ToolView& view,
+                      ImDrawList& list) {
+  GuideDrawing(document, guide, view, list).draw_path();
+}
+
 void draw_harvest(const Document& document, const ToolView& view, ImDrawList& list) {
   const Harvest& harvest = document.harvest();
+  const bool is_rectangle = harvest.region && harvest.region == document.view().harvested_region;
+  if (is_rectangle && view.picture) draw_outline(*harvest.region, *view.picture, list);
   WorldPainter painter(document.scene(), view, list);
   for (size_t i = 0; i < harvest.paths.size(); ++i) {
     const bool selected = harvest.selected == i;

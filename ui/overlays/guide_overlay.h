@@ -10,7 +10,11 @@ namespace guidelight {
 /// cones, its disc on the light and paths that it proposes, too.
 void draw_guides(const Document& document, const ToolView& view, ImDrawList& list);
 
-/// The light paths of the inspected pixel, the selected one stronger.
+/// One guide's path and vertices alone.
+void draw_plain_guide(const Document& document, size_t guide, const ToolView& view,
+                      ImDrawList& list);
+
+/// The light paths of what was picked, the selected one stronger, and the rectangle if it is one.
 void draw_harvest(const Document& document, const ToolView& view, ImDrawList& list);
 
 }  // namespace guidelight

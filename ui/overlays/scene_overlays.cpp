@@ -4,6 +4,8 @@
 
 #include "ui/overlays/guide_overlay.h"
 #include "ui/overlays/world_painter.h"
+#include "ui/photons/gather_disc.h"
+#include "ui/pixel_probe.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -15,29 +17,44 @@ constexpr float kFrustumShare = 0.12f;  // its length, of the scene's radius
 constexpr ImU32 kLightMark = IM_COL32(255, 214, 120, 255);
 constexpr ImU32 kCameraMark = IM_COL32(120, 190, 255, 255);
 
-}  // namespace
-
-namespace {
+void draw_disc(const GatherDisc& disc, const SurfacePoint& point, WorldPainter& painter,
+               ImU32 color) {
+  painter.circle(point.position, point.geometric_normal, disc.radius, color, scaled(1.5f));
+}
 
 /// Around what the inspected pixel sees: the disc whose photons its estimate counts.
-void draw_gather_disc(const Document& document, const ToolView& view, ImDrawList& list) {
-  const auto history = document.pixel_history();
+void draw_inspected_disc(const Document& document, const ToolView& view, ImDrawList& list) {
   const auto& pixel = document.view().inspected_pixel;
-  if (!document.photon_view().shown || !pixel || history.empty()) return;
+  const auto disc = pixel ? progressive_disc(document, *pixel) : std::nullopt;
+  if (!disc) return;
   const auto scene = document.current_scene();
-  const Ray ray = scene->camera().sample_ray(Vec2(*pixel) + 0.5f, Vec2(0.5f)).ray;
-  const Hit hit = scene->intersect(ray);
-  if (!hit.valid()) return;
-  const SurfacePoint point = scene->surface_point(ray, hit);
-  WorldPainter(*scene, view, list)
-      .circle(point.position, point.geometric_normal, history.back().radius, palette::kText,
-              scaled(1.5f));
+  const auto point = seen_through_pixel(*scene, *pixel);
+  WorldPainter painter(*scene, view, list);
+  if (point) draw_disc(*disc, *point, painter, palette::kText);
+}
+
+/// The same under the mouse, in words too.
+void draw_hovered_disc(const Document& document, const PhotonKnowledge& photons,
+                       const ToolView& view, ImDrawList& list) {
+  const auto point = pick_surface(document.scene(), view);
+  if (!point) return;
+  const auto& pixel = document.view().hovered_pixel;
+  auto disc = pixel ? progressive_disc(document, *pixel) : std::nullopt;
+  if (!disc) disc = gather_disc(document, photons.search, *point);
+  if (!disc) return;
+  WorldPainter painter(document.scene(), view, list);
+  draw_disc(*disc, *point, painter, palette::kAccent);
+  draw_note(list, view.mouse + Vec2(scaled(16), scaled(14)), disc->text);
 }
 
 }  // namespace
 
-void draw_overlays(const Document& document, const ToolView& view, ImDrawList& list) {
-  draw_gather_disc(document, view, list);
+void draw_overlays(const Document& document, const PhotonKnowledge* photons, const ToolView& view,
+                   ImDrawList& list) {
+  if (document.photon_view().shown && document.picture()) {
+    draw_inspected_disc(document, view, list);
+    if (photons && view.hovered) draw_hovered_disc(document, *photons, view, list);
+  }
   draw_harvest(document, view, list);
   draw_guides(document, view, list);
 }

@@ -149,17 +149,6 @@ void draw_cone_rows(Document& document, size_t selected, const GuidePath& guide)
   }
 }
 
-/// How the Markov chains fare with a guide; nothing for methods without.
-void draw_guide_statistics(const Document& document, size_t guide) {
-  const auto& chains = document.status().chains;
-  if (!chains || guide >= chains->guides.size()) return;
-  const ProposalStatistics& statistics = chains->guides[guide];
-  readout("Proposed", format_percent(statistics.share), "Share of all proposals of the chains");
-  readout("Accepted", format_percent(statistics.acceptance), "Of what this guide proposed");
-  readout("Light", format_percent(statistics.contribution),
-          "Share of the chains' light that this guide has found");
-}
-
 void draw_selected(Document& document, size_t selected) {
   const GuidePath guide = (*document.guides())[selected];
   for (const GuideFault& fault : document.guide_faults(selected)) {
@@ -195,38 +184,6 @@ void draw_selected(Document& document, size_t selected) {
                         "surfaces; the others are wasted",
                         candidates.candidates.size()));
   }
-  draw_guide_statistics(document, selected);
-}
-
-// -- The light paths of the picked pixel.
-
-void draw_harvest_list(Document& document, const Perform& perform) {
-  Harvest& harvest = document.harvest();
-  if (!document.view().inspected_pixel) {
-    wrapped_dim_text("Click a pixel of the picture to see the ways on which light reaches it.");
-    return;
-  }
-  if (harvest.searching) {
-    dim_text("Searching …");
-    return;
-  }
-  if (harvest.paths.empty()) {
-    wrapped_dim_text("None was found: no indirect or direct light reaches this pixel.");
-    return;
-  }
-  for (size_t i = 0; i < harvest.paths.size(); ++i) {
-    const HarvestedPath& path = harvest.paths[i];
-    ImGui::PushID(static_cast<int>(i));
-    const std::string text = fmt::format("{:3.0f} %   {}", 100 * path.share, path.guide.name);
-    const std::string shown = shortened(text, ImGui::GetContentRegionAvail().x);
-    if (ImGui::Selectable(shown.c_str(), harvest.selected == i)) harvest.selected = i;
-    tooltip(fmt::format("{} of the light that was found comes by way of {}",
-                        format_percent(path.share), path.guide.name));
-    ImGui::PopID();
-  }
-  if (ImGui::Button("Keep as a guide", {-FLT_MIN, 0})) perform(Action::KeepPath);
-  tooltip(
-      fmt::format("The selected one, else the strongest ({})", shortcut_text(Action::KeepPath)));
 }
 
 // -- What holds for all.
@@ -288,14 +245,14 @@ void draw_options(Document& document, const std::string& file) {
 
 }  // namespace
 
-void draw_guides_panel(Document& document, bool tool_active, const std::string& file,
+void draw_guides_panel(Document& document, const ToolsHeld& tools, const std::string& file,
                        const Perform& perform) {
   if (!document.has_scene()) {
     wrapped_dim_text("Open a scene first.");
     return;
   }
   if (section("Guide paths")) {
-    draw_commands(document, tool_active, perform);
+    draw_commands(document, tools.guide, perform);
     if (document.guides()->empty()) {
       draw_hint_for_first_guide();
     } else {
@@ -303,9 +260,10 @@ void draw_guides_panel(Document& document, bool tool_active, const std::string& 
       draw_guided_share(document);
     }
   }
+  if (!document.guides()->empty()) draw_guide_statistics(document);
   const auto selected = document.guide_view().selected;
   if (selected && section("Selected guide")) draw_selected(document, *selected);
-  if (section("Light of the picked pixel")) draw_harvest_list(document, perform);
+  draw_harvest_panel(document, tools.harvest, perform);
   if (section("Placing and showing")) draw_options(document, file);
 }
 

@@ -25,11 +25,33 @@ void draw_values(const PixelReport& report) {
   readout("Luminance", format_value(luminance(report.radiance)), "Rec. 709 [W/(m² sr)]");
   readout("Error", error_text(report),
           "Standard error of the luminance, estimated from the samples");
-  readout("Direct", triple(report.direct));
-  readout("Indirect", triple(report.indirect));
-  readout("Caustics", triple(report.caustic));
-  readout("Merging", triple(report.merging));
-  readout("Samples", format_count(report.samples));
+  readout("Samples", format_count(report.samples), "Camera paths through this pixel");
+}
+
+/// What the pixel's light is made of, and by which techniques it was found.
+void draw_contributions(const PixelReport& report) {
+  const float whole = luminance(report.radiance);
+  if (!(whole > 0)) return;
+  const auto part = [&](const char* label, Color radiance, const std::string& what) {
+    const float share = luminance(radiance) / whole;
+    share_bar(label, share, format_percent(share), what + ": " + triple(radiance) + " W/(m² sr)");
+  };
+  dim_text("What its light is made of");
+  part("Direct", report.direct, "Lights that are seen, and light after one scattering");
+  part("Caustic", report.caustic, "Focused by mirrors and glass");
+  part("Other", report.indirect - report.caustic, "All other indirect light");
+  dim_text("How it was found");
+  part("Connected", report.connection, "By tracing and connecting paths");
+  part("Merged", report.merging, "By merging vertices, which is density estimation");
+}
+
+/// What guides have to do with it, of the methods that know.
+void draw_guided_share_of(const Snapshot& picture) {
+  if (!picture.chains || picture.chains->guides.empty()) return;
+  double found = 0;
+  for (const ProposalStatistics& guide : picture.chains->guides) found += guide.contribution;
+  share_bar("By guides", static_cast<float>(found), format_percent(found),
+            "Share of the chains' light that guide paths have found, in the whole picture");
 }
 
 void draw_surface(const PixelReport& report) {
@@ -70,10 +92,10 @@ void draw_history(const std::vector<PixelHistory::Entry>& history) {
 
 }  // namespace
 
-void draw_inspector_panel(Document& document, std::optional<glm::ivec2> hovered) {
+void draw_inspector_panel(Document& document) {
   if (!section("Inspector")) return;
   const auto picked = document.view().inspected_pixel;
-  const auto pixel = picked ? picked : hovered;
+  const auto pixel = picked ? picked : document.view().hovered_pixel;
   const auto scene = pixel ? document.current_scene() : nullptr;
   const auto picture = document.picture();
   const auto report = scene && picture ? probe_pixel(*scene, *picture, pixel->x, pixel->y)
@@ -89,8 +111,10 @@ void draw_inspector_panel(Document& document, std::optional<glm::ivec2> hovered)
     if (ImGui::SmallButton("release")) document.view().inspected_pixel.reset();
   }
   draw_values(*report);
+  draw_contributions(*report);
+  draw_guided_share_of(*picture);
   draw_surface(*report);
-  if (picked) draw_history(document.pixel_history());
+  if (picked) draw_history(document.pixel_history(*picked));
 }
 
 }  // namespace guidelight

@@ -30,9 +30,9 @@ std::string why_disabled(Action action, const Document& document) {
     case Action::DeleteGuide:
       return selected ? "" : "No guide is selected: choose one in the list or by a vertex";
     case Action::KeepPath:
-      return document.harvest().paths.empty()
-                 ? "No light path is shown: pick a pixel while the Guides tab is open"
-                 : "";
+      return document.harvest().paths.empty() ? "No light path is shown: pick a pixel or a "
+                                                "rectangle while the Guides tab is open"
+                                              : "";
     case Action::OpenScene:
     case Action::ResumeCheckpoint:
     case Action::Quit:

@@ -4,12 +4,11 @@
 #include <string>
 
 #include "ui/compare/comparison.h"
+#include "ui/display_scene.h"
 #include "ui/document.h"
 #include "ui/key_table.h"
-#include "ui/photons/photon_colors.h"
 #include "ui/picture_developer.h"
 #include "ui/recent_files.h"
-#include "ui/render_view.h"
 #include "ui/view_layout.h"
 
 /// The panels: each reads the document and sends it edits, none knows another. One file each.
@@ -32,21 +31,34 @@ void draw_integrator_panel(Document& document);
 void draw_render_panel(Document& document, bool region_tool_active, int& autosave_minutes,
                        const Perform& perform);
 
+/// How far the render is, how fast it goes, and how its Markov chains fare.
+void draw_statistics_panel(const Document& document);
+
 void draw_image_panel(Document& document, const Perform& perform);
 /// `picture` may be null.
 void draw_histogram_panel(const Document& document, const Picture* picture);
 /// Shows the picked pixel, else the one under the mouse.
-void draw_inspector_panel(Document& document, std::optional<glm::ivec2> hovered);
+void draw_inspector_panel(Document& document);
 
-/// `loading` names the scene that is being read; empty if there is none.
-void draw_status_bar(const Document& document, const RenderView& view, const std::string& loading);
+/// `zoom`: screen pixels per pixel of the picture. `loading` names the scene that is being read;
+/// empty if there is none.
+void draw_status_bar(const Document& document, float zoom, const std::string& loading);
 
-/// The list of guide paths and what can be set of the selected one.
-void draw_guides_panel(Document& document, bool tool_active, const std::string& file,
+/// Which tools of the Guides tab are in hand.
+struct ToolsHeld {
+  bool guide = false;
+  bool harvest = false;
+};
+/// The list of guide paths, what can be set of the selected one, and what helps to find others.
+void draw_guides_panel(Document& document, const ToolsHeld& tools, const std::string& file,
                        const Perform& perform);
+/// How the Markov chains fare with each guide.
+void draw_guide_statistics(Document& document);
+/// The light paths of the picked pixel or rectangle.
+void draw_harvest_panel(Document& document, bool tool_held, const Perform& perform);
 
 /// What photons there are, and how they are shown.
-void draw_photons_panel(Document& document, const PowerHistogram& powers);
+void draw_photons_panel(Document& document, const DisplayScene& display);
 
 /// What the render is compared with, and how far it is from it.
 void draw_compare_panel(const Document& document, Comparison& comparison, const Perform& perform);

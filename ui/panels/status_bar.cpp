@@ -66,7 +66,7 @@ std::string progress_text(const Snapshot& status) {
 
 }  // namespace
 
-void draw_status_bar(const Document& document, const RenderView& view, const std::string& loading) {
+void draw_status_bar(const Document& document, float zoom, const std::string& loading) {
   if (!loading.empty()) {
     draw_dot(palette::kAccent);
     ImGui::TextUnformatted(("Reading " + shortened(loading, scaled(420))).c_str());
@@ -75,8 +75,8 @@ void draw_status_bar(const Document& document, const RenderView& view, const std
   }
   if (!document.has_scene()) return;
 
-  std::string right = fmt::format("{:.0f} %", 100 * view.transform().scale());
-  if (const auto pixel = view.hovered_pixel()) {
+  std::string right = fmt::format("{:.0f} %", 100 * zoom);
+  if (const auto pixel = document.view().hovered_pixel) {
     right = fmt::format("{}, {}     ", pixel->x, pixel->y) + right;
   }
   const float right_width = ImGui::CalcTextSize(right.c_str()).x;

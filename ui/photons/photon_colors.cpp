@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "renderer/image/tonemap.h"
 #include "ui/widgets.h"
@@ -52,8 +53,28 @@ Color kind_color(bool caustic) {
   return caustic ? Color(1.0f, 0.70f, 0.20f) : Color(0.34f, 0.71f, 0.91f);
 }
 
+std::vector<GuideShare> shares_of_guides(const PhotonCloud& cloud) {
+  std::map<int, double> counts;
+  for (const auto& point : cloud.points) ++counts[point.guide];
+  std::vector<GuideShare> shares;
+  for (const auto& [guide, count] : counts) {
+    shares.push_back({guide, count / static_cast<double>(cloud.points.size())});
+  }
+  std::ranges::stable_sort(shares, [](const GuideShare& a, const GuideShare& b) {
+    if ((a.guide < 0) != (b.guide < 0)) return b.guide < 0;
+    return a.share > b.share;
+  });
+  return shares;
+}
+
+Color guided_color(int guide, const std::vector<GuidePath>& guides) {
+  const bool is_listed = guide >= 0 && static_cast<size_t>(guide) < guides.size();
+  return is_listed ? guides[guide].color : Color(0.55f);
+}
+
 std::vector<PointRaster::Vertex> color_photons(const PhotonCloud& cloud, PhotonColoring coloring,
-                                               const PowerHistogram& powers) {
+                                               const PowerHistogram& powers,
+                                               const std::vector<GuidePath>& guides) {
   std::vector<PointRaster::Vertex> points;
   points.reserve(cloud.points.size());
   for (const auto& photon : cloud.points) {
@@ -68,6 +89,9 @@ std::vector<PointRaster::Vertex> color_photons(const PhotonCloud& cloud, PhotonC
         break;
       case PhotonColoring::Kind:
         color = kind_color(photon.caustic);
+        break;
+      case PhotonColoring::Guide:
+        color = guided_color(photon.guide, guides);
         break;
     }
     points.push_back({photon.position, to_imgui_color(color)});

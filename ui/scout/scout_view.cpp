@@ -14,6 +14,7 @@ namespace guidelight {
 namespace {
 
 constexpr float kFieldOfView = 60;  // [degrees] of the smaller side
+constexpr float kDensityOpacity = 0.9f;
 const Vec4 kScoutBackground{0.105f, 0.11f, 0.115f, 1};
 
 }  // namespace
@@ -75,6 +76,7 @@ void ScoutView::draw(Document& document, Toolbox& toolbox) {
   const ViewProjection before = project();
   ToolView view{before, nullptr, clip_plane(bounds), settings_.style != MeshStyle::Shaded};
   view.mouse = from_imgui(ImGui::GetMousePos());
+  view.hovered = hovered_;
   view.double_click = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
   NavigationTarget target;
   target.move = [&](const auto& move) { move(camera_); };
@@ -87,14 +89,16 @@ void ScoutView::draw(Document& document, Toolbox& toolbox) {
   mouse_.update(document, toolbox, view, target, hovered_);
 
   const ViewProjection projection = project();
-  const ToolView now{projection, nullptr, view.clip_plane, view.sees_through, view.mouse};
+  ToolView now{projection, nullptr, view.clip_plane, view.sees_through, view.mouse};
+  now.hovered = hovered_;
   rasterise(projection, view.clip_plane, corner, room);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(to_imgui(corner), to_imgui(corner + room), true);
   list.AddImage(target_.id(), to_imgui(corner), to_imgui(corner + room));
   draw_lights(*scene, now, list);
   draw_render_camera(*scene, now, list);
-  draw_overlays(document, now, list);
+  draw_overlays(document, display_.photons().get(), now, list);
+  display_.draw_density_scale(list, corner + room);
   toolbox.tool().draw(document, now, list);
   const std::string hint = toolbox.tool().hint();
   if (!hint.empty()) draw_hint(list, corner + Vec2(room.x / 2, room.y - scaled(32)), hint);
@@ -108,6 +112,8 @@ void ScoutView::rasterise(const ViewProjection& projection, Vec4 clip, Vec2 corn
   drawn_ = wanted;
   target_.begin(static_cast<int>(room.x), static_cast<int>(room.y), kScoutBackground);
   display_.draw_mesh(wanted.clip_from_world, {settings_.style, camera_.position(), clip});
+  display_.draw_density(wanted.clip_from_world,
+                        {MeshStyle::Map, camera_.position(), clip, kDensityOpacity});
   PointRaster::Look look;
   look.clip_plane = clip;
   display_.draw_photons(wanted.clip_from_world, look);

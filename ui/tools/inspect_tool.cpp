@@ -34,7 +34,8 @@ void InspectTool::pick_pixel(Document& document, const ToolView& view) const {
   const glm::ivec2 picked = glm::ivec2(glm::floor(pixel));
   const bool inside =
       picked.x >= 0 && picked.y >= 0 && picked.x < settings.width && picked.y < settings.height;
-  document.view().inspected_pixel = inside ? std::optional(picked) : std::nullopt;
+  document.view().forget_picked();
+  if (inside) document.view().inspected_pixel = picked;
 }
 
 void InspectTool::draw(const Document& document, const ToolView& view, ImDrawList& list) const {

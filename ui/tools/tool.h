@@ -19,6 +19,7 @@ struct ToolView {
   Vec4 clip_plane{0, 0, 0, 1};
   bool sees_through = false;  // nothing hides anything
   Vec2 mouse{0};              // on the screen [pixels]
+  bool hovered = false;       // the mouse is over this view
   bool double_click = false;  // of the left button, in this frame
 };
 

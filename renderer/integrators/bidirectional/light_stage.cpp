@@ -49,6 +49,7 @@ bool LightStage::visit(uint32_t index, Subpath& path, const PathVertex& vertex,
     if (settings.merges() && (length > 1 || settings.merge_direct)) {
       photons_.push_back(make_photon(vertex.point.position, vertex.wo, vertex.throughput, length,
                                      vertex.is_caustic(), vertex.partials));
+      if (path.guided) path.guided->left_photon(vertex.point.position);
     }
     if (settings.connections && length + 2 <= setup_.max_length) {
       vertices_.add(slots_[index], vertex);

@@ -47,6 +47,7 @@ bool EmissionStage::visit(uint32_t index, Subpath& path, const PathVertex& verte
     const SurfacePhoton photon = make_surface_photon(vertex, power, is_caustic);
     if (is_caustic && vertex.length < max_length) photons_.caustic.push_back(photon);
     if (vertex.length < max_length - 1) photons_.global.push_back(photon);
+    if (path.guided) path.guided->left_photon(vertex.point.position);
   }
   // The next vertex is of use if at least one segment may follow it.
   return vertex.length + 1 < max_length;
