@@ -19,7 +19,7 @@ struct SurfacePoint {
   Vec3 position{0};
   Vec3 geometric_normal{0, 0, 1};  // unit; the shape's outside
   Frame frame;                     // shading frame; frame.n is within 90° of the geometric normal
-                                   // except where a mesh's normals contradict its winding
+                                   // except where a mesh's normals contradict each other
   Vec2 uv{0};
   Vec3 dpdu{0};  // zero where the shape has no parametrisation
   Vec3 dpdv{0};

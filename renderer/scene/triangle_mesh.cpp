@@ -125,6 +125,10 @@ TriangleMesh::Face TriangleMesh::measure_face(const std::array<uint32_t, 3>& tri
   const Vec3 p2 = positions_[c];
   Vec3 normal = orientation_ * unit_or_zero(glm::cross(p1 - p0, p2 - p0));
   if (normal == Vec3(0)) normal = {0, 0, 1};  // no area: any normal will do
+  // Normals in the file are given on purpose, a winding often is not: they say where outside is.
+  if (!normals_.empty() && glm::dot(normal, normals_[a] + normals_[b] + normals_[c]) < 0) {
+    normal = -normal;
+  }
   // Rounding of the interpolated position and of the ray-triangle test that starts there: the first
   // grows with the coordinates, the second with the distances to the vertices.
   const Vec3 lower = glm::min(p0, glm::min(p1, p2));

@@ -11,7 +11,8 @@
 namespace guidelight {
 
 /// Triangles in world space. The index list, uvs and colours stay shared with the description's
-/// mesh.
+/// mesh. The outside of a triangle is where its vertex normals point to, without them where its
+/// vertices run counter-clockwise.
 class TriangleMesh final : public Shape {
  public:
   /// Throws Error for positions, uvs or colours that are not finite, indices out of range,

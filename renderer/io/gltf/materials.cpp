@@ -53,7 +53,8 @@ WrapMode wrap_mode(const Json& sampler, const char* name) {
   }
 }
 
-/// KHR_texture_transform; then v changes direction, since glTF has v = 0 at the top row.
+/// KHR_texture_transform: scale, then a turn that is counter-clockwise in a picture whose v grows
+/// downwards, then offset. In the end v changes direction, since glTF has v = 0 at the top row.
 Mat3 uv_transform(const Json* transform) {
   const Mat3 flip(Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(0, 1, 1));
   if (!transform) return flip;
@@ -61,7 +62,7 @@ Mat3 uv_transform(const Json* transform) {
   const std::vector<float> scale = numbers_of(*transform, "scale", {1, 1});
   const float angle = number_of(*transform, "rotation", 0);
   const float c = std::cos(angle), s = std::sin(angle);
-  return flip * Mat3(Vec3(c * scale[0], s * scale[0], 0), Vec3(-s * scale[1], c * scale[1], 0),
+  return flip * Mat3(Vec3(c * scale[0], -s * scale[0], 0), Vec3(s * scale[1], c * scale[1], 0),
                      Vec3(offset[0], offset[1], 1));
 }
 
@@ -91,7 +92,7 @@ Surface Materials::make_surface(const Json& material, bool vertex_colors) {
   surface.bsdf = transmit(material, name, base, surface.bsdf, surface);
   if (const Json* info = find(material, "normalTexture")) {
     const int map = texture(info, Use::Normal, number_of(*info, "scale", 1));
-    surface.bsdf = add_bsdf(name + " (normal map)", NormalMapBsdf{map, surface.bsdf});
+    surface.bsdf = add_bsdf(name + " (normal map)", NormalMapBsdf{map, surface.bsdf, true});
   }
   surface.bsdf = mask(material, name, surface.bsdf);
 

@@ -14,9 +14,14 @@ bool transmits(const BsdfDescription& bsdf) {
          std::holds_alternative<MaskBsdf>(bsdf.model);
 }
 
-FloatInput squared(FloatInput input) {
-  input.value *= input.value;
-  return input;
+Image squared_luminance(const Image& source) {
+  Image result(source.width(), source.height(), 1);
+  for (int y = 0; y < source.height(); ++y) {
+    for (int x = 0; x < source.width(); ++x) {
+      *result.pixel(x, y) = sqr(luminance(source.color(x, y)));
+    }
+  }
+  return result;
 }
 
 }  // namespace
@@ -280,6 +285,27 @@ Importer::BsdfModel Importer::bump_map(Properties& p) {
   return scene_.bsdfs[nested].model;
 }
 
+/// The square of what `input` says; a texture is squared in a copy.
+FloatInput Importer::squared(const Node& node, const FloatInput& input) {
+  const float value = sqr(input.value);
+  if (input.texture == kNone) return {value};
+  TextureDescription texture = scene_.textures[input.texture];
+  if (auto* bitmap = std::get_if<BitmapTexture>(&texture.model)) {
+    bitmap->image = std::make_shared<Image>(squared_luminance(*bitmap->image));
+  } else if (auto* checkerboard = std::get_if<CheckerboardTexture>(&texture.model)) {
+    for (ColorInput* color : {&checkerboard->color0, &checkerboard->color1}) {
+      const FloatInput square = squared(node, {luminance(color->value), color->texture, kNone});
+      *color = {Color(square.value), square.texture};
+    }
+  } else {
+    warnings_.add(node.source, "squared vertex colours",
+                  "a roughness of vertex colours cannot be squared; it counts as α itself.");
+    return {value, input.texture, input.channel};
+  }
+  scene_.textures.push_back(std::move(texture));
+  return {value, static_cast<int>(scene_.textures.size()) - 1, kNone};
+}
+
 /// Burley's principled BSDF as a mixture of what there is: plastic for the dielectric part, a
 /// mirror in the base colour for the metallic one, glass for the transmitting one.
 Importer::BsdfModel Importer::principled(Properties& p) {
@@ -287,7 +313,7 @@ Importer::BsdfModel Importer::principled(Properties& p) {
       p.node().source, "principled",
       "bsdf 'principled' is not supported; a blend of plastic, metal and glass stands in.");
   const ColorInput base = color(p, {"base_color"}, Color(0.5f));
-  FloatInput alpha = squared(number(p, {"roughness"}, 0.5f));
+  FloatInput alpha = squared(p.node(), number(p, {"roughness"}, 0.5f));
   alpha.value = std::max(alpha.value, 1e-3f);
   // Reflectance at normal incidence is 0.08 · specular (Burley 2012).
   const float root = std::sqrt(0.08f * std::clamp(p.number({"specular"}, 0.5f), 0.0f, 1.0f));

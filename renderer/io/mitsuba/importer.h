@@ -55,6 +55,7 @@ class Importer {
   BsdfModel normal_map(Properties& properties);
   BsdfModel bump_map(Properties& properties);
   BsdfModel principled(Properties& properties);
+  FloatInput squared(const Node& node, const FloatInput& input);
   int nested_bsdf(Properties& properties);
   int add_bsdf(const Node& node, const std::string& suffix, BsdfModel model);
   float ior(Properties& properties, Properties::Names names, float fallback);

@@ -116,6 +116,19 @@ TEST(Gltf, EmissiveStrengthAndAlphaModes) {
   EXPECT_FLOAT_EQ(bsdf<MaskBsdf>(scene, scene.shapes[0].bsdf).opacity.value, 0.25f);
 }
 
+TEST(Gltf, TextureRotationIsCounterClockwiseInThePicture) {
+  const SceneDescription scene = with_material(
+      R"({"pbrMetallicRoughness":{"metallicFactor":0,"baseColorTexture":{"index":0,"extensions":{
+        "KHR_texture_transform":{"offset":[0.5,0],"scale":[2,3],"rotation":1.57079633}}}}})",
+      R"("textures":[{"source":0}],"images":[{"uri":"map%20one.png"}],)");
+  const auto& texture = std::get<BitmapTexture>(scene.textures.at(0).model);
+  // Before the rotation (0.2, 0.9) with v downwards. A quarter turn to the left makes the right
+  // (1, 0) the top (0, -1), and the bottom (0, 1) the right (1, 0).
+  const Vec3 turned = texture.uv_transform * Vec3(0.1f, 0.3f, 1);
+  EXPECT_NEAR(turned.x, 0.9f + 0.5f, 1e-6f);
+  EXPECT_NEAR(turned.y, 1 + 0.2f, 1e-6f);
+}
+
 TEST(Gltf, TexturesWithSamplersAndTransforms) {
   const SceneDescription scene = with_material(
       R"({"normalTexture":{"index":0,"scale":0.5},"pbrMetallicRoughness":{"baseColorTexture":{"index":0,
@@ -124,6 +137,7 @@ TEST(Gltf, TexturesWithSamplersAndTransforms) {
       R"("textures":[{"source":0,"sampler":0}],"images":[{"uri":"map%20one.png"}],
          "samplers":[{"wrapS":33071,"wrapT":33648,"magFilter":9728}],)");
   const auto& map = bsdf<NormalMapBsdf>(scene, scene.shapes[0].bsdf);
+  EXPECT_TRUE(map.y_is_against_v);
   const auto& normal =
       std::get<BitmapTexture>(scene.textures[static_cast<size_t>(map.texture)].model);
   EXPECT_NEAR(normal.image->pixel(1, 0)[0], 0.5f + (37.0f / 255 - 0.5f) / 2, 1e-6f);

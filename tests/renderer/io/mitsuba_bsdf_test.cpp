@@ -217,5 +217,28 @@ TEST(MitsubaBsdf, PrincipledBecomesABlend) {
             Color(0.8f, 0.1f, 0.1f));
 }
 
+TEST(MitsubaBsdf, PrincipledSquaresTheTextureOfItsRoughness) {
+  const TemporaryFolder folder;
+  folder.write("map.png", sample_png());
+  const SceneDescription scene = read_mitsuba(folder, R"(
+    <texture type="bitmap" id="map"><string name="filename" value="map.png"/></texture>
+    <bsdf type="principled"><ref id="map" name="roughness"/></bsdf>
+    <bsdf type="principled"><texture type="checkerboard" name="roughness">
+      <float name="color0" value="0.5"/><ref id="map" name="color1"/></texture></bsdf>)");
+  const auto texture_of = [&](int bsdf) {
+    return scene.textures[std::get<PlasticBsdf>(scene.bsdfs[bsdf].model).alpha.texture].model;
+  };
+  const Image& original = *std::get<BitmapTexture>(scene.textures[0].model).image;
+  const auto checkers = std::get<CheckerboardTexture>(texture_of(1));
+  EXPECT_FLOAT_EQ(checkers.color0.value.r, 0.25f);
+  const auto& nested = scene.textures[checkers.color1.texture].model;
+  for (const auto& texture : {texture_of(0), nested}) {
+    const Image& square = *std::get<BitmapTexture>(texture).image;
+    for (int x = 0; x < 4; ++x) {
+      EXPECT_FLOAT_EQ(square.color(x, 1).g, sqr(luminance(original.color(x, 1))));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace guidelight::test

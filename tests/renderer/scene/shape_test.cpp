@@ -7,6 +7,7 @@
 #include "renderer/sampling/warp.h"
 #include "renderer/scene/accelerator.h"
 #include "renderer/scene/analytic_shape.h"
+#include "renderer/scene/medium.h"
 #include "renderer/scene/triangle_mesh.h"
 #include "tests/renderer/scene/shape_cases.h"
 #include "tests/statistics/hypothesis_tests.h"
@@ -210,6 +211,34 @@ TEST(Shape, SmoothNormalsAreInterpolatedAndMirrored) {
   mesh->normals = {{}, {}, {}, {}};
   make_shape(describe(MeshShape{mesh}))->sample_area({0.3f, 0.4f}, p);
   EXPECT_NEAR(p.frame.n.z, 1, 1e-6f);
+}
+
+TEST(Shape, VertexNormalsThatOpposeTheWindingSayWhereOutsideIs) {
+  auto mesh = std::make_shared<Mesh>(*square().mesh);
+  const Vec3 slanted = glm::normalize(Vec3(1, 0, -1));
+  mesh->normals = {slanted, slanted, slanted, {0, 0, -1}};
+  for (const float mirror : {1.0f, -1.0f}) {
+    for (const bool flip : {false, true}) {
+      const Mat4 to_world = glm::scale(Mat4(1), Vec3(mirror, 1, 1));
+      const Traced traced(describe(MeshShape{mesh}, to_world, flip));
+      const float outside = flip ? 1 : -1;
+      SurfacePoint sampled, hit;
+      traced.shape->sample_area({0.3f, 0.4f}, sampled);
+      ASSERT_TRUE(traced.intersect({{0.1f, 0.2f, 3}, {0, 0, -1}, kInfinity}, hit).valid());
+      for (const SurfacePoint& p : {sampled, hit}) {
+        EXPECT_EQ(p.geometric_normal.z, outside);
+        EXPECT_GT(p.frame.n.z * outside, 0.5f);
+      }
+      // Light and media ask the geometric normal for their side.
+      const Medium interior, exterior;
+      hit.is_medium_boundary = true;
+      hit.interior = &interior;
+      hit.exterior = &exterior;
+      EXPECT_EQ(medium_beyond(hit, {0, 0, outside}, nullptr), &exterior);
+      EXPECT_EQ(medium_beyond(hit, {0, 0, -outside}, nullptr), &interior);
+      EXPECT_GT(hit.offset_origin({0, 0, 1}).z, hit.position.z);
+    }
+  }
 }
 
 TEST(Shape, DegenerateTrianglesAreNeverSampled) {
