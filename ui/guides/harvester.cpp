@@ -24,7 +24,10 @@ void Harvester::update(bool wanted) {
     auto paths = harvest(*scene, *subject.region, kSamples, kPathsShown, stop_);
     queue_.post([this, subject, paths = std::move(paths)] {
       busy_ = false;
-      stop_ = false;
+      if (stop_.exchange(false)) {
+        subject_ = {};  // it is begun again if it is still wanted
+        return;
+      }
       if (subject == subject_) document_.harvest() = {subject.region, paths, {}, false};
     });
   });
