@@ -14,6 +14,22 @@ using testing::ComparisonScene;
 
 constexpr double kFalseAlarms = 1e-3;
 
+/// How much of what arrives at a raster position the pixels of the picture take: less than 1 near
+/// the edges, and more than 0 a little beyond them.
+double share_of_picture(const Filter& filter, const Camera& camera, Vec2 raster) {
+  double share = 0;
+  const auto reach = static_cast<int>(std::ceil(filter.radius()));
+  const glm::ivec2 middle(glm::floor(raster));
+  for (int y = std::max(0, middle.y - reach); y < std::min(camera.height(), middle.y + reach + 1);
+       ++y) {
+    for (int x = std::max(0, middle.x - reach); x < std::min(camera.width(), middle.x + reach + 1);
+         ++x) {
+      share += filter.eval(raster - Vec2(x, y) - 0.5f);
+    }
+  }
+  return share;
+}
+
 class WholePaths : public ::testing::TestWithParam<ComparisonScene> {};
 
 /// The mean of the picture is the integral of f over all paths: that of target / density of paths
@@ -26,6 +42,7 @@ TEST_P(WholePaths, IntegrateToThePicture) {
         luminance(testing::mean_color(testing::render(scene, 8, 2, seed).develop(Layer::Beauty))));
   }
   const PathSampler sampler(*scene, {1, 6});
+  const Filter filter(scene->camera().film().filter);
   Path path;
   Moments found;
   constexpr int kPaths = 20000;
@@ -33,7 +50,9 @@ TEST_P(WholePaths, IntegrateToThePicture) {
     double sum = 0;
     for (int i = 0; i < kPaths; ++i) {
       Rng rng(7, batch, i);
-      if (const double pdf = sampler.sample(path, rng); pdf > 0) sum += path.target() / pdf;
+      const double pdf = sampler.sample(path, rng);
+      if (!(pdf > 0)) continue;
+      sum += path.target() / pdf * share_of_picture(filter, scene->camera(), path.raster);
     }
     found.add(sum / kPaths);
   }
