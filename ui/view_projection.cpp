@@ -93,7 +93,7 @@ Mat4 ViewProjection::clip_from_world(Vec2 corner, Vec2 size) const {
 }
 
 ViewProjection project_scene(const Camera& camera, Vec2 origin, float scale, const Bounds& bounds) {
-  constexpr float kNearShare = 1e-3f;
+  constexpr float kNearShare = 5e-3f;
   const float radius = bounds.empty() ? 1.0f : std::max(bounds.radius(), 1e-6f);
   const float distance = bounds.empty() ? 0.0f : glm::length(bounds.center() - camera.position());
   return {camera, origin, scale, kNearShare * radius, distance + 2 * radius};
