@@ -19,9 +19,10 @@ std::string chain_report(const ChainStatistics& chains) {
   for (size_t i = 0; i < chains.guides.size(); ++i) {
     if (chains.guides[i].share > 0) text += row(fmt::format("guide {}", i + 1), chains.guides[i]);
   }
-  text += fmt::format("{} mutations, {:.2f} % accepted, mean luminance {:.5g} +- {:.2g}\n",
-                      chains.steps, 100 * chains.acceptance, chains.normalization,
-                      chains.normalization_error);
+  text +=
+      fmt::format("{} mutations, {:.2f} % accepted, {} restarts, mean luminance {:.5g} +- {:.2g}\n",
+                  chains.steps, 100 * chains.acceptance, chains.restarts, chains.normalization,
+                  chains.normalization_error);
   return text;
 }
 

@@ -8,6 +8,7 @@
 #include "renderer/error.h"
 #include "renderer/io/guide_file.h"
 #include "renderer/metropolis/harvest.h"
+#include "renderer/metropolis/pilot.h"
 #include "renderer/transport/guide_check.h"
 #include "renderer/transport/guide_trace.h"
 
@@ -151,6 +152,35 @@ void TraceCommand::run() const {
   fmt::print("{}: {} guides\n", output, list.size());
 }
 
+// -- ways of light --------------------------------------------------------------------------------
+
+/// What harvest and pilot do with what they find.
+struct WaysOutput {
+  size_t count = 10;
+  std::string file;
+
+  void add_to(CLI::App& command) {
+    command.add_option("--count", count, "Ways to keep, the strongest first")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    command.add_option("-o,--output", file, "File of guides to add them to, made if there is none");
+  }
+  /// Lists them and adds them to the file.
+  void take(const std::vector<HarvestedPath>& found) const;
+};
+
+void WaysOutput::take(const std::vector<HarvestedPath>& found) const {
+  std::vector<GuidePath> list;
+  if (!file.empty() && std::filesystem::exists(file)) list = read_guides(file);
+  for (const HarvestedPath& path : found) {
+    fmt::print("{:6.2f} %  {}\n", 100 * path.share, path.guide.name);
+    list.push_back(path.guide);
+  }
+  if (file.empty()) return;
+  write_guides(file, list);
+  fmt::print("{}: {} guides\n", file, list.size());
+}
+
 // -- guides harvest -------------------------------------------------------------------------------
 
 struct HarvestCommand {
@@ -158,8 +188,7 @@ struct HarvestCommand {
   std::string pixel;
   std::string crop;
   int samples = 200000;
-  size_t count = 10;
-  std::string output;
+  WaysOutput output;
 
   void add_to(CLI::App& command);
   void run() const;
@@ -175,10 +204,7 @@ void HarvestCommand::add_to(CLI::App& command) {
   command.add_option("--samples", samples, "Paths to draw")
       ->check(CLI::Range(1, 1000000000))
       ->capture_default_str();
-  command.add_option("--count", count, "Ways to keep, the strongest first")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command.add_option("-o,--output", output, "File of guides to add them to, made if there is none");
+  output.add_to(command);
 }
 
 PixelRegion HarvestCommand::region(const Camera& camera) const {
@@ -191,17 +217,35 @@ PixelRegion HarvestCommand::region(const Camera& camera) const {
 
 void HarvestCommand::run() const {
   const auto scene = Scene::build(scene_arguments.read());
-  const auto found = harvest(*scene, region(scene->camera()), samples, count, false);
-  std::vector<GuidePath> list;
-  if (!output.empty() && std::filesystem::exists(output)) list = read_guides(output);
-  for (const HarvestedPath& path : found) {
-    fmt::print("{:6.2f} %  {}\n", 100 * path.share, path.guide.name);
-    list.push_back(path.guide);
-  }
+  const auto found = harvest(*scene, region(scene->camera()), samples, output.count, false);
   if (found.empty()) throw Error("no light was found there: draw more paths with --samples");
-  if (output.empty()) return;
-  write_guides(output, list);
-  fmt::print("{}: {} guides\n", output, list.size());
+  output.take(found);
+}
+
+// -- guides pilot ---------------------------------------------------------------------------------
+
+struct PilotCommand {
+  SceneArguments scene_arguments;
+  uint64_t mutations = 500000;
+  WaysOutput output;
+
+  void add_to(CLI::App& command) {
+    scene_arguments.add_to(command);
+    command.add_option("--mutations", mutations, "Length of the run")
+        ->check(CLI::Range(1, 1000000000))
+        ->capture_default_str();
+    output.add_to(command);
+  }
+  void run() const;
+};
+
+void PilotCommand::run() const {
+  const auto scene = Scene::build(scene_arguments.read());
+  const auto found = pilot_guides(*scene, mutations, output.count, false);
+  if (found.empty()) {
+    throw Error("no indirect light was found that a guide could lead: try 'guides trace'");
+  }
+  output.take(found);
 }
 
 template <typename Command>
@@ -215,12 +259,13 @@ void add(CLI::App& group, const char* name, const char* help) {
 }  // namespace
 
 void add_guides_command(CLI::App& app) {
-  CLI::App* group = app.add_subcommand("guides", "Check, trace and harvest guide paths");
+  CLI::App* group = app.add_subcommand("guides", "Check, trace, harvest and find guide paths");
   group->require_subcommand(1);
   add<CheckCommand>(*group, "check", "Say of each guide whether it fits the scene");
   add<TraceCommand>(*group, "trace", "Trace a guide from a point on a light");
   add<HarvestCommand>(*group, "harvest",
                       "List the ways on which light reaches a part of the picture");
+  add<PilotCommand>(*group, "pilot", "Make guides from the paths of a short run of chains");
 }
 
 }  // namespace guidelight

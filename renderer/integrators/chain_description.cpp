@@ -32,6 +32,7 @@ ChainStatistics describe_chains(const GuidedChains& chains, const Seeding& seedi
   double accepted = 0;
   for (const MarkovChain& chain : chains.list()) {
     result.steps += chain.steps();
+    result.restarts += chain.restarts();
     for (size_t i = 0; i < of_mutation.size(); ++i) of_mutation[i].add(chain.statistics()[i]);
     const auto& counted = chain.guide_statistics();
     for (size_t i = 0; i < std::min(of_guide.size(), counted.size()); ++i) {

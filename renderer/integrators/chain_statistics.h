@@ -19,6 +19,7 @@ struct ChainStatistics {
   std::vector<ProposalStatistics> mutations;
   std::vector<ProposalStatistics> guides;  // by the position in the list of guides
   uint64_t steps = 0;
+  uint64_t restarts = 0;           // of chains that went on from an independent path
   double acceptance = 0;           // of all proposals
   double normalization = 0;        // B: mean luminance of what the chains show
   double normalization_error = 0;  // its standard error

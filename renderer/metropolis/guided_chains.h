@@ -15,9 +15,9 @@ struct MutationWeights {
   float lens = 0;           // LP
   float caustic = 0;        // CP
   float multi_chain = 0;
-  float lens_subpath = 0;  // LS
-  float photon_map = 0;    // PM
-  float max_angle = 0;     // of the photon map perturbation [rad]
+  float lens_subpath = 0;                 // LS
+  float photon_map = 0;                   // PM
+  float max_angle = glm::radians(30.0f);  // γ of the photon map perturbation [rad]
 };
 
 /// Chains that share their mutations, and follow guides that may change.

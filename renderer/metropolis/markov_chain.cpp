@@ -33,6 +33,14 @@ MarkovChain::MarkovChain(const MutationSet& mutations, Path start, Rng rng, Path
       suitable_weight_(mutations.suitable_weight(current_)),
       statistics_(mutations.size()) {}
 
+void MarkovChain::restart(Path start, Rng rng) {
+  rng_ = rng;
+  current_ = std::move(start);
+  suitable_weight_ = mutations_.suitable_weight(current_);
+  origin_ = 0;
+  ++restarts_;
+}
+
 double MarkovChain::propose(size_t which) {
   const Mutation& mutation = mutations_[which];
   if (!mutation.propose(current_, candidate_, rng_)) return 0;

@@ -56,6 +56,10 @@ class MarkovChain {
   template <typename Observe>
   void run(uint64_t steps, Observe&& observe);
 
+  /// Goes on from another path, which must be such as the first; what was counted stays.
+  void restart(Path start, Rng rng);
+  uint64_t restarts() const { return restarts_; }
+
   /// Steps taken so far.
   uint64_t steps() const { return steps_; }
   /// By index in the set.
@@ -79,6 +83,7 @@ class MarkovChain {
   Path candidate_;
   float suitable_weight_;  // of the current path
   uint64_t steps_ = 0;
+  uint64_t restarts_ = 0;
   size_t origin_ = 0;  // mutation that proposed the current path
   double weight_ = 0;  // of the current path, not shown yet
   std::vector<MutationStatistics> statistics_;

@@ -30,6 +30,7 @@ void Seeding::draw(size_t count, uint64_t seed, uint64_t pass, Parallel& paralle
   for (const float weight : weights) sum_ += weight, squares_ += sqr(double{weight});
   count_ += count;
   starts_ = DiscreteDistribution(weights);
+  has_starts_ = std::ranges::any_of(weights, [](float weight) { return weight > 0; });
 }
 
 double Seeding::standard_error() const {
@@ -43,6 +44,13 @@ Rng Seeding::start(size_t chain, size_t chains) const {
   const auto u = (static_cast<float>(chain) + jitter) / static_cast<float>(chains);
   const uint32_t chosen = starts_.sample(std::min(u, kOneMinusEpsilon)).index;
   return path_rng(seed_, pass_, chosen);
+}
+
+Path Seeding::start_path(size_t chain, size_t chains) const {
+  Rng rng = start(chain, chains);
+  Path path;
+  sampler_.sample(path, rng);
+  return path;
 }
 
 }  // namespace guidelight

@@ -24,8 +24,12 @@ class Seeding {
   double standard_error() const;
 
   /// Random numbers with which sampler() draws the start of one of `chains` chains: a path of the
-  /// last draw. To be called where some path carried light.
+  /// last draw. To be called where can_start().
   Rng start(size_t chain, size_t chains) const;
+  /// That path.
+  Path start_path(size_t chain, size_t chains) const;
+  /// Whether a path of the last draw carries light.
+  bool can_start() const { return has_starts_; }
   const PathSampler& sampler() const { return sampler_; }
 
  private:
@@ -37,6 +41,7 @@ class Seeding {
   uint64_t seed_ = 0;
   uint64_t pass_ = 0;
   DiscreteDistribution starts_;
+  bool has_starts_ = false;
 };
 
 }  // namespace guidelight

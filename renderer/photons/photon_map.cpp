@@ -45,8 +45,9 @@ Color PhotonMap::radiance(const PathVertex& vertex, const Scattering& scattering
     const Vec3 wi = photon.direction();
     const Color value = scattering.value(wi);
     if (is_black(value) || settings.sharp(vertex, scattering, wi)) continue;
-    // The flux arrived through the true surface: the cosine with its normal is part of it.
-    const float cosine = std::abs(glm::dot(wi, point.geometric_normal));
+    // The flux arrived through the true surface where the photon is: the cosine there is part of
+    // it. Another's, of a surface that is curved, may be anything down to 0.
+    const float cosine = std::abs(glm::dot(wi, photon.normal()));
     if (cosine == 0) continue;
     sum += value * photon.power() *
            (kernel_value(settings.kernel, neighbor.distance_squared, neighbors.radius_squared) /
@@ -55,35 +56,28 @@ Color PhotonMap::radiance(const PathVertex& vertex, const Scattering& scattering
   return sum;
 }
 
-Color PhotonMap::radiosity(const PathVertex& vertex, const EstimateSettings& settings) const {
-  Buffer buffer;
-  const Neighbors neighbors = nearest_on_surface(vertex.point, settings, buffer);
-  Color sum(0.0f);
-  for (const Neighbor& neighbor : neighbors.found) {
-    sum += tree_.items()[neighbor.index].power() *
-           kernel_value(settings.kernel, neighbor.distance_squared, neighbors.radius_squared);
-  }
-  return sum;
-}
-
 Neighbors PhotonMap::nearest_on_surface(const SurfacePoint& point, const EstimateSettings& settings,
                                         std::span<Neighbor> buffer) const {
   const size_t k = settings.neighbors;
-  const size_t searched = std::min(k * settings.oversearch, buffer.size());
-  Neighbors result = tree_.nearest(point.position, searched, settings.max_distance, buffer);
+  const size_t most = std::min(k * settings.oversearch, buffer.size());
   const auto begin = buffer.begin();
-  const auto end = std::partition(begin, begin + result.found.size(), [&](const Neighbor& n) {
-    return is_same_surface(tree_.items()[n.index].normal(), point.geometric_normal);
-  });
-  const auto count = static_cast<size_t>(end - begin);
-  if (count >= k) {
-    std::nth_element(begin, begin + (k - 1), end, [](const Neighbor& a, const Neighbor& b) {
-      return a.distance_squared < b.distance_squared;
+  Neighbors result;
+  size_t count = 0;
+  // Most points have no other surface near.
+  for (size_t searched = k;; searched = std::min(2 * searched, most)) {
+    result = tree_.nearest(point.position, searched, settings.max_distance, buffer);
+    const auto end = std::partition(begin, begin + result.found.size(), [&](const Neighbor& n) {
+      return is_same_surface(tree_.items()[n.index].normal(), point.geometric_normal);
     });
-    result.radius_squared = buffer[k - 1].distance_squared;
+    count = static_cast<size_t>(end - begin);
+    if (count >= k || result.found.size() < searched || searched == most) break;
   }
-  result.found = buffer.first(std::min(count, k));
-  return result;
+  if (count < k) return {};
+  const auto end = begin + static_cast<ptrdiff_t>(count);
+  std::nth_element(begin, begin + (k - 1), end, [](const Neighbor& a, const Neighbor& b) {
+    return a.distance_squared < b.distance_squared;
+  });
+  return {buffer.first(k), buffer[k - 1].distance_squared};
 }
 
 Color PhotonMap::irradiance(Vec3 position, Vec3 normal, const EstimateSettings& settings,

@@ -31,8 +31,8 @@ struct EstimateSettings {
   int min_length = 1;  // of whole paths [segments]
   int max_length = 0;
   SharpScattering sharp{0};
-  /// Where other surfaces are near, k photons of the same surface are looked for among so many
-  /// times k of any.
+  /// If above 1: k photons of the same surface are looked for among so many times k of any. Where
+  /// there are fewer, the surface is too small for an estimate, and none is made.
   int oversearch = 1;
 };
 
@@ -51,16 +51,13 @@ class PhotonMap {
   Color radiance(const PathVertex& vertex, const Scattering& scattering,
                  const EstimateSettings& settings) const;
 
-  /// Power per area of the photons around a vertex, on either side of its surface.
-  Color radiosity(const PathVertex& vertex, const EstimateSettings& settings) const;
-
   /// Irradiance of a surface on the side of its unit normal, by photons of at most `max_length`
   /// segments that are not is_irradiance_point(); scaled up for those.
   Color irradiance(Vec3 position, Vec3 normal, const EstimateSettings& settings,
                    int max_length) const;
 
  private:
-  /// The photons nearest to a point that lie on a surface of the same direction.
+  /// The k photons nearest to a point that lie on a surface of the same direction, or none.
   Neighbors nearest_on_surface(const SurfacePoint& point, const EstimateSettings& settings,
                                std::span<Neighbor> buffer) const;
 

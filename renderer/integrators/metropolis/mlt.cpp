@@ -2,6 +2,7 @@
 
 #include "renderer/integrators/chain_description.h"
 #include "renderer/integrators/metropolis/chain_pass.h"
+#include "renderer/integrators/mutation_parameters.h"
 
 namespace guidelight {
 
@@ -25,21 +26,7 @@ struct MltSettings : ChainSettings {
 
 std::vector<Parameter> MltSettings::parameters() {
   std::vector<Parameter> list = ChainSettings::parameters();
-  const auto add = [&](const char* key, const char* label, const char* help, float& value) {
-    list.push_back({key, label, help, "", &value, 0, 1});
-  };
-  add("bidirectional", "Bidirectional",
-      "How often a part of the path is replaced by an independent one.", weights.bidirectional);
-  add("lens", "Lens perturbation", "How often the path moves a little in the picture.",
-      weights.lens);
-  add("caustic", "Caustic perturbation",
-      "How often light turns a little where it leaves for what the eye sees.", weights.caustic);
-  add("multi_chain", "Multi-chain perturbation",
-      "How often a path through several specular surfaces moves a little.", weights.multi_chain);
-  add("lens_subpath", "Lens subpath",
-      "How often the path is seen from an independent place in the picture.", weights.lens_subpath);
-  add("guided", "Guides", "How often a path follows a guide path, where there is one.",
-      weights.guided);
+  add_mutation_parameters(weights, list);
   return list;
 }
 

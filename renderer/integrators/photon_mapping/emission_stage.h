@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "renderer/integrators/photon_mapping/second_pass.h"
@@ -8,13 +9,19 @@
 
 namespace guidelight {
 
+/// Power of the photon of a light vertex, where photons are also made otherwise.
+using PowerOfVertex =
+    std::function<Color(const PathVertex&, const Scattering&, bool for_caustic_map)>;
+
 /// The first of the two passes: traces light paths and keeps their vertices as photons.
 class EmissionStage {
  public:
-  explicit EmissionStage(const PhotonMappingPass& setup);
+  /// Without `power`, light paths alone make all photons.
+  explicit EmissionStage(const PhotonMappingPass& setup, PowerOfVertex power = {});
 
   /// Photons of all light paths of the pass, in order.
-  static PassPhotons trace_all(const PhotonMappingPass& setup, Parallel& parallel);
+  static PassPhotons trace_all(const PhotonMappingPass& setup, Parallel& parallel,
+                               const PowerOfVertex& power = {});
 
   /// Traces paths [first, last).
   void trace(size_t first, size_t last);
@@ -25,7 +32,10 @@ class EmissionStage {
   void end_segment() {}
 
  private:
+  void keep(const PathVertex& vertex, const Scattering& scattering, bool is_caustic);
+
   const PhotonMappingPass& setup_;
+  PowerOfVertex power_;
   MisWeights unused_weights_{TechniqueCounts{}};
   RandomWalk walk_;
   PassPhotons photons_;

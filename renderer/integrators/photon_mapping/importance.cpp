@@ -88,13 +88,7 @@ Color ImportanceMaps::estimate(const PhotonMap& map, const PathVertex& vertex,
                                const Scattering& scattering) const {
   // Of k neighbours the density (k-1)/πr² is unbiased, and the reciprocal of k/πr².
   const auto k = static_cast<float>(estimate_.neighbors);
-  const Color found = map.radiance(vertex, scattering, estimate_) * (k / (k - 1));
-  if (!(vertex.point.bsdf->lobes() & kLobeGlossy)) return found;
-  // A few directions may miss a glossy lobe that most eye paths come by: what they find is no less
-  // than a small part of what they would find on a diffuse surface.
-  constexpr float kSmallPart = 0.1f;
-  const Color albedo = vertex.point.bsdf->albedo(vertex.point);
-  return glm::max(found, map.radiosity(vertex, estimate_) * albedo * (kSmallPart * kInvPi));
+  return map.radiance(vertex, scattering, estimate_) * (k / (k - 1));
 }
 
 Color ImportanceMaps::of_global(const PathVertex& vertex, const Scattering& scattering) const {

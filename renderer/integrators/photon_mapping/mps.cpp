@@ -1,6 +1,8 @@
 #include "renderer/integrators/photon_mapping/mps.h"
 
 #include "renderer/integrators/chain_description.h"
+#include "renderer/integrators/mutation_parameters.h"
+#include "renderer/integrators/photon_mapping/emission_stage.h"
 #include "renderer/integrators/photon_mapping/photon_observer.h"
 #include "renderer/metropolis/seeding.h"
 
@@ -27,7 +29,10 @@ struct MpsSettings : PhotonMappingSettings {
                           .lens_subpath = 0.2f,
                           .photon_map = 0.2f};
 
-  MpsSettings() { alpha = 0.8f; }
+  MpsSettings() {
+    alpha = 0.8f;
+    light_paths = 50000;
+  }
   std::vector<Parameter> parameters() override;
   std::unique_ptr<IntegratorSettings> clone() const override {
     return std::make_unique<MpsSettings>(*this);
@@ -50,27 +55,16 @@ std::vector<Parameter> MpsSettings::parameters() {
       {"importance_neighbors", "Importance per estimate",
        "Nearest particles from the eye that such an estimate is made of.", "",
        &importance_neighbors, 2, static_cast<double>(EstimateSettings::kMaxNeighbors), true},
+      {"light_paths", "Light paths",
+       "Light paths per pass that leave photons beside those of the chains; they bound the power "
+       "of "
+       "photons in places that paths from the eye hardly know.",
+       "per pass", &light_paths, 1, 100e6, true},
       {"max_angle", "Photon map angle",
        "Largest angle by which the photon map perturbation turns a path.", "degrees", &max_angle, 1,
        80},
   };
-  const auto add = [&](const char* key, const char* label, const char* help, float& value) {
-    list.push_back({key, label, help, "", &value, 0, 1});
-  };
-  add("guided", "User paths (UP)", "How often a path follows a guide path, where there is one.",
-      weights.guided);
-  add("bidirectional", "Bidirectional (BD)",
-      "How often a part of the path is replaced by an independent one.", weights.bidirectional);
-  add("photon_map", "Photon map (PM)",
-      "How often the path turns where the eye's first diffuse vertex sends it back to the light.",
-      weights.photon_map);
-  add("caustic", "Caustic (CP)",
-      "How often light turns a little where it leaves for what the eye sees.", weights.caustic);
-  add("lens", "Lens (LP)", "How often the path moves a little in the picture.", weights.lens);
-  add("lens_subpath", "Lens subpath (LS)",
-      "How often the path is seen from an independent place in the picture.", weights.lens_subpath);
-  add("multi_chain", "Multi-chain",
-      "How often a path through several specular surfaces moves a little.", weights.multi_chain);
+  add_mutation_parameters(weights, list);
   for (Parameter& parameter : PhotonMappingSettings::parameters()) {
     const bool is_of_emission =
         parameter.key == "light_paths" || parameter.key == "guided_fraction";
@@ -120,10 +114,10 @@ class Mps : public Integrator {
  private:
   PassPhotons trace(const PhotonMappingPass& setup, const PassContext& context) {
     chains_.follow(context.guides);
-    std::vector<MarkovChain>& chains = chains_.list();
     seeding_.draw(settings_.seed_paths, setup.seed, setup.pass, *context.parallel);
-    if (seeding_.normalization() == 0) return {};
-    if (chains.empty()) start_chains(setup);
+    if (!seeding_.can_start()) return EmissionStage::trace_all(setup, *context.parallel);
+    start_chains(setup);
+    std::vector<MarkovChain>& chains = chains_.list();
     // Estimates from more particles reach less far.
     const float growth = std::pow(static_cast<float>(setup.pass) + 1, 1 - settings_.alpha);
     const ImportanceMaps importance(
@@ -133,24 +127,38 @@ class Mps : public Integrator {
         *context.parallel);
     const auto steps = static_cast<uint64_t>(std::max(1, settings_.mutations / settings_.chains));
     const double scale = seeding_.normalization() / static_cast<double>(steps * chains.size());
-    std::vector<PassPhotons> parts(chains.size());
+    const PhotonPower power(importance, scale, settings_.light_paths);
+    std::vector<PassPhotons> parts(chains.size() + 1);
+    parts.back() = trace_light_paths(setup, power, *context.parallel);
     context.parallel->for_each(chains.size(), [&](size_t i) {
-      PhotonObserver observer(setup, importance, scale,
-                              Rng(setup.seed ^ kChainStream, ~setup.pass, i));
+      PhotonObserver observer(setup, power, Rng(setup.seed ^ kChainStream, ~setup.pass, i));
       chains[i].run(steps, observer);
       parts[i] = observer.photons();
     });
     return join(parts);
   }
 
+  PassPhotons trace_light_paths(const PhotonMappingPass& setup, const PhotonPower& power,
+                                Parallel& parallel) const {
+    return EmissionStage::trace_all(
+        setup, parallel,
+        [&](const PathVertex& vertex, const Scattering& scattering, bool for_caustic_map) {
+          return power.of_light_path(vertex, scattering, for_caustic_map);
+        });
+  }
+
+  /// Chains of every round start anew, so that no round repeats the faults of the one before.
   void start_chains(const PhotonMappingPass& setup) {
     const size_t count = settings_.chains;
+    std::vector<MarkovChain>& chains = chains_.list();
     for (size_t i = 0; i < count; ++i) {
-      Rng path_rng = seeding_.start(i, count);
-      Path path;
-      seeding_.sampler().sample(path, path_rng);
-      chains_.list().emplace_back(chains_.mutations(), std::move(path),
-                                  Rng(setup.seed ^ kChainStream, setup.pass, i), leaves_photon_);
+      const Rng rng(setup.seed ^ kChainStream, setup.pass, i);
+      Path start = seeding_.start_path(i, count);
+      if (i < chains.size()) {
+        chains[i].restart(std::move(start), rng);
+      } else {
+        chains.emplace_back(chains_.mutations(), std::move(start), rng, leaves_photon_);
+      }
     }
   }
 

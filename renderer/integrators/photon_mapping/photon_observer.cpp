@@ -75,18 +75,16 @@ void PhotonObserver::operator()(const Path& path, double weight) {
 
 Color PhotonObserver::state_power(const Path& path, const PhotonSite& site,
                                   const PathVertex& vertex) const {
-  glm::dvec3 f(1.0);  // f_map: what arrives
+  glm::dvec3 f(1.0);                    // f_map: what arrives
+  double pdf = path.pdf_from_light(0);  // of a light path that leaves the same photon
   for (int i = 0; i < site.vertex; ++i) {
     const PathPoint& x = path.points[i];
     f *= glm::dvec3(x.value * x.transmittance) * double{x.arrival_eye};
+    pdf *= path.pdf_from_light(i + 1);
+    if (i > 0) pdf *= survival_probability(x.point);
   }
-  // Only ratios of f matter: brought into the range of single precision first.
-  const Color color(f / std::max({f.r, f.g, f.b}));
   const Scattering scattering(vertex.point, vertex.wo, TransportMode::Importance);
-  const Color importance = site.caustic ? importance_.of_caustic(vertex, scattering)
-                                        : importance_.of_global(vertex, scattering);
-  const float seen = luminance(color * importance);
-  return seen > 0 ? color * static_cast<float>(scale_ / seen) : Color(0);
+  return power_.of_state(f, pdf, vertex, scattering, site.caustic);
 }
 
 PassPhotons PhotonObserver::photons() const {

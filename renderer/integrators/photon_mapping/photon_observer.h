@@ -2,7 +2,7 @@
 
 #include <unordered_map>
 
-#include "renderer/integrators/photon_mapping/importance.h"
+#include "renderer/integrators/photon_mapping/photon_power.h"
 #include "renderer/integrators/photon_mapping/second_pass.h"
 #include "renderer/transport/path.h"
 
@@ -19,18 +19,15 @@ struct PhotonSite {
 std::optional<PhotonSite> photon_site(const Path& path, const SharpScattering& sharp);
 
 /// Turns the states of a chain, whose target is the luminance of complete paths, into photons.
-/// Their power divides by the *marginal* density of the light's side,
-///   Φ = B/N · f_map / Y(f_map ⊙ I),
-/// and not by that of the complete path, which is the density of more than the photon is: see
+/// Their power divides by the *marginal* density of the light's side, Y(f_map ⊙ I)/B, and not by
+/// that of the complete path, which is the density of more than the photon is: see
 /// docs/metropolis.md. States that leave their photons in the same place, or nearly, add up to one:
 /// a chain goes by small steps, and photons in one point would be an endless density to an estimate
 /// from the nearest.
 class PhotonObserver {
  public:
-  /// `scale` is B/N.
-  PhotonObserver(const PhotonMappingPass& setup, const ImportanceMaps& importance, double scale,
-                 Rng rng)
-      : setup_(setup), importance_(importance), scale_(scale), rng_(rng) {}
+  PhotonObserver(const PhotonMappingPass& setup, const PhotonPower& power, Rng rng)
+      : setup_(setup), power_(power), rng_(rng) {}
 
   void operator()(const Path& path, double weight);
   PassPhotons photons() const;
@@ -47,13 +44,12 @@ class PhotonObserver {
 
   /// Hash of the cell that a photon falls into.
   uint64_t cell(const PathVertex& vertex, bool caustic) const;
-  /// Power of a state of weight 1; black where importance is not known.
+  /// Power of a state of weight 1.
   Color state_power(const Path& path, const PhotonSite& site, const PathVertex& vertex) const;
   static PathVertex vertex_at(const Path& path, int i);
 
   const PhotonMappingPass& setup_;
-  const ImportanceMaps& importance_;
-  double scale_;
+  const PhotonPower& power_;
   Rng rng_;
   std::vector<Deposit> deposits_;
   std::unordered_map<uint64_t, uint32_t> places_;  // hash of a cell to its deposit

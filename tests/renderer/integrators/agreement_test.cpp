@@ -81,7 +81,9 @@ class MetropolisPhotonsAgreement : public Agreement {};
 /// The radius of a round is finite.
 TEST_P(MetropolisPhotonsAgreement, WithThePathTracer) {
   compare_with_path_tracer(
-      {{"mps", "mutations=50000,importance_paths=50000,neighbors=30,gather_rays=40", 4}}, 0.01);
+      {{"mps",
+        "mutations=50000,light_paths=20000,importance_paths=50000,neighbors=30,gather_rays=40", 4}},
+      0.01);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, MetropolisPhotonsAgreement,

@@ -275,7 +275,8 @@ TEST(EveryIntegrator, of_path_length_one_shows_emitters) {
 
 /// What is enough for the photons of a chain in a small picture.
 void append_few_paths(std::vector<std::pair<std::string, std::string>>& values) {
-  values.insert(values.end(), {{"mutations", "20000"}, {"importance_paths", "20000"}});
+  values.insert(values.end(),
+                {{"mutations", "20000"}, {"light_paths", "20000"}, {"importance_paths", "20000"}});
 }
 
 TEST(EveryIntegrator, of_chains_renders_a_single_pixel) {
@@ -288,6 +289,23 @@ TEST(EveryIntegrator, of_chains_renders_a_single_pixel) {
     EXPECT_TRUE(std::isfinite(mean(film))) << name;
     EXPECT_EQ(film.rejected(), 0u) << name;
   }
+}
+
+TEST(EveryIntegrator, of_photons_from_chains_starts_them_anew_in_every_round) {
+  const auto scene = testing::build(testing::room(4, 4));
+  const auto settings = settings_for("mps");
+  set_parameter(*settings, "chains", "8");
+  set_parameter(*settings, "mutations", "800");
+  const auto mps = find_integrator("mps").create(scene, *settings);
+  Film film(4, 4, scene->camera().film().filter);
+  Parallel parallel(1);
+  for (uint32_t pass = 0; pass < 3; ++pass) {
+    mps->render_pass(pass, film, {.seed = 1, .parallel = &parallel});
+  }
+  const auto chains = mps->chain_statistics();
+  ASSERT_TRUE(chains);
+  EXPECT_EQ(chains->steps, 3u * 800);
+  EXPECT_EQ(chains->restarts, 2u * 8);
 }
 
 TEST(EveryIntegrator, of_chains_has_a_shortest_and_a_longest_path) {
