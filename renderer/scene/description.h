@@ -164,10 +164,13 @@ struct TwoSidedBsdf {
 /// An interface that does nothing to light (the boundary of a medium).
 struct NullBsdf {};
 
-/// Replaces the shading normal; texture values (0..1)³ encode (-1..1)³ in the tangent frame.
+/// Replaces the shading normal; texture values (0..1)³ encode (-1..1)³ in the tangent frame: z along
+/// the normal n, x along dpdu, y along n × x (Mitsuba) or, of ± that, on the side where v falls
+/// (glTF, also where a model mirrors its texture).
 struct NormalMapBsdf {
   int texture = kNone;
   int nested = kNone;
+  bool y_is_against_v = false;
 };
 
 /// Perturbs the shading normal as if the surface were displaced by scale × luminance(texture).

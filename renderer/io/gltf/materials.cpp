@@ -92,7 +92,7 @@ Surface Materials::make_surface(const Json& material, bool vertex_colors) {
   surface.bsdf = transmit(material, name, base, surface.bsdf, surface);
   if (const Json* info = find(material, "normalTexture")) {
     const int map = texture(info, Use::Normal, number_of(*info, "scale", 1));
-    surface.bsdf = add_bsdf(name + " (normal map)", NormalMapBsdf{map, surface.bsdf});
+    surface.bsdf = add_bsdf(name + " (normal map)", NormalMapBsdf{map, surface.bsdf, true});
   }
   surface.bsdf = mask(material, name, surface.bsdf);
 

@@ -39,19 +39,23 @@ class PerturbedNormal : public Bsdf {
 
 class NormalMap final : public PerturbedNormal {
  public:
-  NormalMap(std::shared_ptr<const Texture> texture, BsdfPointer nested)
-      : PerturbedNormal(std::move(nested)), texture_(std::move(texture)) {}
+  NormalMap(std::shared_ptr<const Texture> texture, bool y_is_against_v, BsdfPointer nested)
+      : PerturbedNormal(std::move(nested)),
+        texture_(std::move(texture)),
+        y_is_against_v_(y_is_against_v) {}
 
  private:
   Frame perturb(const SurfacePoint& point) const override {
-    const Vec3 local = 2.0f * texture_->eval(point) - 1.0f;
+    Vec3 local = 2.0f * texture_->eval(point) - 1.0f;
     const float squared = length_squared(local);
     if (!(squared > 1e-6f)) return point.frame;
+    if (y_is_against_v_ && glm::dot(point.frame.t, point.dpdv) > 0) local.y = -local.y;
     return Frame::from_normal_and_tangent(point.frame.to_world(local / std::sqrt(squared)),
                                           point.dpdu);
   }
 
   std::shared_ptr<const Texture> texture_;
+  bool y_is_against_v_;
 };
 
 class BumpMap final : public PerturbedNormal {
@@ -97,6 +101,7 @@ class BumpMap final : public PerturbedNormal {
 
 BsdfPointer make_bsdf(const NormalMapBsdf& description, const BsdfContext& context) {
   return std::make_shared<NormalMap>(context.texture(description.texture),
+                                     description.y_is_against_v,
                                      context.nested(description.nested));
 }
 

@@ -168,6 +168,7 @@ TEST(Gltf, TexturesWithSamplersAndTransforms) {
       R"("textures":[{"source":0,"sampler":0}],"images":[{"uri":"map%20one.png"}],
          "samplers":[{"wrapS":33071,"wrapT":33648,"magFilter":9728}],)");
   const auto& map = bsdf<NormalMapBsdf>(scene, scene.shapes[0].bsdf);
+  EXPECT_TRUE(map.y_is_against_v);
   const auto& normal =
       std::get<BitmapTexture>(scene.textures[static_cast<size_t>(map.texture)].model);
   EXPECT_NEAR(normal.image->pixel(1, 0)[0], 0.5f + (37.0f / 255 - 0.5f) / 2, 1e-6f);

@@ -62,6 +62,23 @@ TEST(NormalMap, ColourTiltsTheNormalInTheTangentFrame) {
   expect_orthonormal(frame);
 }
 
+TEST(NormalMap, MirroredTextureKeepsItsYOnlyInMitsuba) {
+  const Vec3 tilt = direction(30, 40);
+  const Vec3 mirrored(tilt.x, -tilt.y, tilt.z);
+  for (const bool y_is_against_v : {false, true}) {
+    const auto bsdf = build_with_texture(
+        one_texel(0.5f * tilt + 0.5f), DiffuseBsdf{},
+        NormalMapBsdf{.texture = 0, .nested = 0, .y_is_against_v = y_is_against_v});
+    SurfacePoint point = tilted_point(*bsdf);  // v grows along t: mirrored in the eyes of glTF
+    const Vec3 expected = y_is_against_v ? mirrored : tilt;
+    const Frame frame = bsdf->shading_frame(point);
+    EXPECT_LT(glm::length(frame.n - point.frame.to_world(expected)), 1e-5f);
+    expect_orthonormal(frame);
+    point.dpdv = -point.dpdv;
+    EXPECT_LT(glm::length(bsdf->shading_frame(point).n - point.frame.to_world(tilt)), 1e-5f);
+  }
+}
+
 TEST(BumpMap, SlopeIsThatOfTheDisplacedSurface) {
   // Height rises by scale per unit of u, and a unit of u is 3 long: slope 0.6/3.
   const auto bsdf = build_with_texture(ramp(), DiffuseBsdf{},
