@@ -35,6 +35,7 @@ class Importer {
   CheckerboardTexture checkerboard(Properties& properties);
   Mat3 uv_transform(Properties& properties);
   Color spectrum_plugin(const Node& node, SpectrumUse use);
+  Color spectrum_file(const Node& node, const std::string& name, SpectrumUse use);
   std::shared_ptr<const Image> image(Properties& properties, bool raw);
 
   // bsdfs.cpp
@@ -66,8 +67,10 @@ class Importer {
   int medium(const Node& node);
 
   // shapes.cpp
-  /// Empty for a shape that is not supported.
+  /// Empty for a shape that is not supported or has no surface.
   std::optional<ShapeDescription> shape(const Node& node);
+  /// The shape if there is anything of it to see; otherwise warns.
+  std::optional<ShapeDescription> drawable(const Node& node, ShapeDescription shape);
   bool geometry(Properties& properties, ShapeDescription& shape);
   std::shared_ptr<const Mesh> mesh(Properties& properties);
   void attach(Properties& properties, ShapeDescription& shape);
@@ -81,9 +84,12 @@ class Importer {
   SpotEmitter spot(Properties& properties);
   SunSkyEmitter sun_sky(Properties& properties);
   ProjectorEmitter projector(Properties& properties);
+  std::shared_ptr<const Image> projected_image(Properties& properties, float& scale);
 
   // sensors.cpp
   void sensor(const Node& node);
+  /// The angle [degrees] and what it is measured along, of a sensor or a projector.
+  std::pair<float, FovAxis> field_of_view(Properties& properties);
   void film(const Node& node);
   void reconstruction_filter(const Node& node);
   void integrator(const Node& node);

@@ -56,17 +56,7 @@ void Importer::sensor(const Node& node) {
   if (!(std::abs(glm::determinant(Mat3(camera.to_world))) > 0)) {
     throw Error("{}: the camera's transform is singular; correct it.", node.source.to_string());
   }
-  camera.fov_axis = fov_axis(p.text({"fov_axis"}, "x"), warnings_, node);
-  if (p.find({"fov"})) {
-    camera.fov = p.number({"fov"}, 50);
-  } else {
-    camera.fov = fov_of_focal_length(node, p.text({"focal_length"}, "50mm"));
-    camera.fov_axis = FovAxis::Diagonal;
-  }
-  if (!(camera.fov > 0 && camera.fov < 180)) {
-    throw Error("{}: a field of view of {} degrees is not between 0 and 180; correct 'fov'.",
-                node.source.to_string(), camera.fov);
-  }
+  std::tie(camera.fov, camera.fov_axis) = field_of_view(p);
   camera.principal_point_offset =
       Vec2(p.number({"principal_point_offset_x"}, 0), p.number({"principal_point_offset_y"}, 0));
   camera.near_clip = p.number({"near_clip"}, camera.near_clip);
@@ -88,6 +78,19 @@ void Importer::sensor(const Node& node) {
   p.warn_about_the_rest();
 }
 
+std::pair<float, FovAxis> Importer::field_of_view(Properties& p) {
+  const Node& node = p.node();
+  const FovAxis axis = fov_axis(p.text({"fov_axis"}, "x"), warnings_, node);
+  const std::string focal_length = p.text({"focal_length"}, "50mm");
+  if (!p.find({"fov"})) return {fov_of_focal_length(node, focal_length), FovAxis::Diagonal};
+  const float fov = p.number({"fov"}, 50);
+  if (!(fov > 0 && fov < 180)) {
+    throw Error("{}: a field of view of {} degrees is not between 0 and 180; correct 'fov'.",
+                node.source.to_string(), fov);
+  }
+  return {fov, axis};
+}
+
 void Importer::film(const Node& node) {
   Properties p(node, warnings_);
   FilmDescription& film = scene_.film;
@@ -101,16 +104,21 @@ void Importer::film(const Node& node) {
   }
   film.crop_x = p.integer({"crop_offset_x"}, 0);
   film.crop_y = p.integer({"crop_offset_y"}, 0);
-  film.crop_width = p.integer({"crop_width"}, 0);
-  film.crop_height = p.integer({"crop_height"}, 0);
+  film.crop_width = p.integer({"crop_width"}, film.width);
+  film.crop_height = p.integer({"crop_height"}, film.height);
   const auto inside = [](int64_t offset, int64_t size, int64_t whole) {
-    return offset >= 0 && size >= 0 && offset + size <= whole;
+    return offset >= 0 && size > 0 && offset + size <= whole;
   };
   if (!inside(film.crop_x, film.crop_width, film.width) ||
       !inside(film.crop_y, film.crop_height, film.height)) {
-    throw Error("{}: the crop window leaves the film of {} x {} pixels; correct it.",
-                node.source.to_string(), film.width, film.height);
+    throw Error(
+        "{}: the crop window of {} x {} pixels at ({}, {}) is not inside the film of {} x {}; "
+        "correct it.",
+        node.source.to_string(), film.crop_width, film.crop_height, film.crop_x, film.crop_y,
+        film.width, film.height);
   }
+  const bool is_whole = film.crop_width == film.width && film.crop_height == film.height;
+  if (is_whole) film.crop_width = film.crop_height = 0;
   if (const Node* filter = p.object("rfilter")) reconstruction_filter(*filter);
 }
 

@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "renderer/io/flat_shape.h"
 #include "renderer/io/mesh_file.h"
 #include "renderer/io/mesh_tools.h"
 #include "renderer/io/mitsuba/importer.h"
@@ -49,13 +51,14 @@ std::shared_ptr<const Mesh> Importer::mesh(Properties& p) {
   bool face_normals = p.boolean({"face_normals"}, false);
   const float max_angle = p.number({"max_smooth_angle"}, 0);
   p.ignore({"collapse", "load_materials", "shape_name", "vertex_normals"});
+  const bool encoded = node.type == "ply" && document_.version < 2 && p.boolean({"srgb"}, true);
   if (!serialized && index >= 0) {
     warnings_.add(node.source, "obj shape_index",
                   "'shapeIndex' of an OBJ is not supported; the whole file is read.");
   }
 
-  const std::string key =
-      fmt::format("{} {} {} {} {} {}", node.type, index, flip, face_normals, max_angle, path);
+  const std::string key = fmt::format("{} {} {} {} {} {} {}", node.type, index, flip, encoded,
+                                      face_normals, max_angle, path);
   std::shared_ptr<const Mesh>& known = meshes_[key];
   if (known) return known;
   try {
@@ -65,6 +68,7 @@ std::shared_ptr<const Mesh> Importer::mesh(Properties& p) {
                     : read_mesh_file(path, node.type == "obj" ? MeshFormat::Obj : MeshFormat::Ply);
     face_normals = face_normals || flat_by_file;
     if (flip) flip_v(read);
+    if (encoded) std::ranges::transform(read.colors, read.colors.begin(), srgb_to_linear);
     if (face_normals) {
       read.normals.clear();
     } else if (max_angle > 0) {
@@ -146,7 +150,7 @@ std::optional<ShapeDescription> Importer::shape(const Node& node) {
     }
     shape.geometry = InstanceShape{group(*target)};
     p.warn_about_the_rest();
-    return shape;
+    return drawable(node, std::move(shape));
   }
   if (!geometry(p, shape)) {
     warnings_.add(node.source, plugin_name(node),
@@ -156,7 +160,15 @@ std::optional<ShapeDescription> Importer::shape(const Node& node) {
   shape.flip_normals = p.boolean({"flip_normals"}, false);
   attach(p, shape);
   p.warn_about_the_rest();
-  return shape;
+  return drawable(node, std::move(shape));
+}
+
+std::optional<ShapeDescription> Importer::drawable(const Node& node, ShapeDescription shape) {
+  if (keep_drawable(shape)) return shape;
+  warnings_.add(node.source, "singular " + node.source.to_string(),
+                fmt::format("{} '{}' is scaled to nothing in some direction; it is left out.",
+                            plugin_name(node), shape.name));
+  return std::nullopt;
 }
 
 /// One shape, or the parts of a container; nothing for a group, which is there to be copied.

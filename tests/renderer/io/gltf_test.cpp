@@ -64,6 +64,22 @@ TEST(Gltf, TextAndBinarySayTheSame) {
   }
 }
 
+TEST(Gltf, NodesScaledToNothingAreLeftOutUnlessFlat) {
+  const auto scaled = [](const std::string& scale) {
+    return read(changed(
+        R"("children":[1]},{"camera":0}])",
+        R"("children":[1,2]},{"camera":0},{"mesh":0,"name":"thin","scale":)" + scale + "}]"));
+  };
+  const SceneDescription without = scaled("[0,1,1]");
+  EXPECT_EQ(without.shapes.size(), 1u);
+  EXPECT_THAT(without.warnings, testing::ElementsAre(HasSubstr("'thin' is scaled to nothing")));
+  const SceneDescription flat = scaled("[2,1,0]");  // the triangle lies in z = 0
+  EXPECT_THAT(flat.warnings, IsEmpty());
+  ASSERT_EQ(flat.shapes.size(), 2u);
+  EXPECT_EQ(flat.shapes[1].to_world[0], Vec4(2, 0, 0, 0));
+  EXPECT_EQ(flat.shapes[1].to_world[2], Vec4(0, 0, 1, 0));
+}
+
 TEST(Gltf, MetallicRoughnessIsATwoSidedBlend) {
   const SceneDescription scene = read(sample_gltf());
   const auto& sides = bsdf<TwoSidedBsdf>(scene, scene.shapes[0].bsdf);
@@ -114,6 +130,21 @@ TEST(Gltf, EmissiveStrengthAndAlphaModes) {
     "extensions":{"KHR_materials_emissive_strength":{"emissiveStrength":8}}})");
   EXPECT_EQ(scene.shapes[0].radiance->value, Color(8, 4, 0));
   EXPECT_FLOAT_EQ(bsdf<MaskBsdf>(scene, scene.shapes[0].bsdf).opacity.value, 0.25f);
+}
+
+TEST(Gltf, TexturesOfSpecularReflectionAreReported) {
+  const auto warnings = [](const std::string& specular) {
+    return with_material(R"({"pbrMetallicRoughness":{"metallicFactor":0},"extensions":{
+        "KHR_materials_specular":{)" +
+                         specular + "}}}")
+        .warnings;
+  };
+  const std::string message = "textures of 'KHR_materials_specular'";
+  EXPECT_THAT(warnings(R"("specularTexture":{"index":0})"), testing::Contains(HasSubstr(message)));
+  EXPECT_THAT(warnings(R"("specularColorTexture":{"index":0})"),
+              testing::Contains(HasSubstr(message)));
+  EXPECT_THAT(warnings(R"("specularFactor":0.5)"),
+              testing::Not(testing::Contains(HasSubstr(message))));
 }
 
 TEST(Gltf, TextureRotationIsCounterClockwiseInThePicture) {

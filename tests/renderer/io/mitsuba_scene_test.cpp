@@ -72,6 +72,18 @@ TEST_F(MitsubaScene, PlyDoesNotFlipVUnlessTold) {
             Vec2(1, 0.75f));
 }
 
+TEST_F(MitsubaScene, ColoursOfAPlyAreEncodedInTheOldFormat) {
+  folder_.write("coloured.ply", sample_ply_binary());
+  const auto green = [&](const std::string& version, const std::string& srgb) {
+    const std::string xml =
+        R"(<shape type="ply"><string name="filename" value="coloured.ply"/>)" + srgb + "</shape>";
+    return mesh(shape(xml, version)).colors[2].g;
+  };
+  EXPECT_NEAR(green("0.6.0", ""), 0.132868f, 1e-5f);  // 102 of 255
+  EXPECT_FLOAT_EQ(green("0.6.0", R"(<boolean name="srgb" value="false"/>)"), 0.4f);
+  EXPECT_FLOAT_EQ(green("3.0.0", ""), 0.4f);
+}
+
 TEST_F(MitsubaScene, NormalsAreSmoothUnlessFacesAreAskedFor) {
   const std::string start =
       R"(<shape type="serialized"><string name="filename" value="mesh.serialized"/>)";
@@ -140,6 +152,28 @@ TEST_F(MitsubaScene, MissingAndBrokenMeshesNameTheSceneLine) {
   EXPECT_THROW(read(R"(<shape type="ply"><string name="filename" value="bad.ply"/></shape>)"),
                Error);
   EXPECT_THAT(mitsuba_error(R"(<shape type="obj"/>)"), HasSubstr("names no file"));
+}
+
+TEST_F(MitsubaScene, ShapesScaledToNothingAreLeftOutUnlessFlat) {
+  const auto scaled = [&](const std::string& type, const std::string& scale) {
+    return read("<shape type=\"" + type + "\" id=\"it\"><transform name=\"to_world\"><scale " +
+                scale +
+                "/><rotate x=\"1\" angle=\"90\"/></transform></shape><shape type=\"cube\"/>");
+  };
+  for (const std::string type : {"rectangle", "disk"}) {
+    const SceneDescription scene = scaled(type, R"(x="2" z="0")");
+    EXPECT_THAT(scene.warnings, IsEmpty());
+    ASSERT_EQ(scene.shapes.size(), 2u);
+    const Mat4& to_world = scene.shapes[0].to_world;
+    expect_near(transform_vector(to_world, Vec3(1, 0, 0)), Vec3(2, 0, 0));
+    expect_near(transform_vector(to_world, Vec3(0, 0, 1)), Vec3(0, -1, 0));
+  }
+  for (const auto& [type, scale] : std::vector<std::pair<std::string, std::string>>{
+           {"rectangle", R"(x="0")"}, {"sphere", R"(z="0")"}, {"cube", R"(value="0")"}}) {
+    const SceneDescription scene = scaled(type, scale);
+    EXPECT_THAT(scene.warnings, testing::ElementsAre(HasSubstr("'it' is scaled to nothing")));
+    EXPECT_EQ(scene.shapes.size(), 1u) << type;
+  }
 }
 
 TEST_F(MitsubaScene, UnsupportedShapesAreLeftOut) {
@@ -282,6 +316,37 @@ TEST_F(MitsubaScene, ConstantEnvironmentAndProjector) {
     <texture type="bitmap" name="irradiance"><string name="filename" value="map.png"/></texture></emitter>)");
   EXPECT_EQ(projector.image->height(), 4);
   EXPECT_NEAR(projector.fov_x * 180 / kPi, 30, 1e-4f);
+}
+
+TEST_F(MitsubaScene, ProjectorsHaveTheFieldOfViewOfSensors) {
+  folder_.write("wide.hdr", sample_hdr());  // twice as wide as high
+  const auto half_width = [&](const std::string& view) {
+    const auto projector = emitter<ProjectorEmitter>(
+        "<emitter type=\"projector\"><texture type=\"bitmap\" name=\"irradiance\">"
+        "<string name=\"filename\" value=\"wide.hdr\"/></texture>" +
+        view + "</emitter>");
+    return std::tan(projector.fov_x / 2);
+  };
+  const float half = std::tan(20 * kPi / 180);
+  const std::string fov = R"(<float name="fov" value="40"/><string name="fov_axis" value=)";
+  EXPECT_NEAR(half_width(fov + "\"x\"/>"), half, 1e-5f);
+  EXPECT_NEAR(half_width(fov + "\"y\"/>"), 2 * half, 1e-5f);
+  EXPECT_NEAR(half_width(fov + "\"diagonal\"/>"), 2 * half / std::sqrt(5.0f), 1e-5f);
+  const float diagonal = std::sqrt(36.0f * 36 + 24 * 24) / (2 * 35);
+  EXPECT_NEAR(half_width(R"(<string name="focal_length" value="35mm"/>)"),
+              2 * diagonal / std::sqrt(5.0f), 1e-5f);
+}
+
+TEST_F(MitsubaScene, ProjectorsOfAColourThrowOnePixel) {
+  const auto projector = emitter<ProjectorEmitter>(
+      R"(<emitter type="projector"><rgb name="irradiance" value="1, 2, 3"/></emitter>)");
+  EXPECT_EQ(projector.image->color(0, 0), Color(1, 2, 3));
+  EXPECT_EQ(emitter<ProjectorEmitter>(R"(<emitter type="projector"/>)").image->color(0, 0),
+            Color(1));
+  EXPECT_THAT(read(R"(<emitter type="projector"><texture type="checkerboard" name="irradiance"/>
+                      </emitter>)")
+                  .warnings,
+              testing::ElementsAre(HasSubstr("only bitmaps")));
 }
 
 TEST_F(MitsubaScene, SunAndSky) {
