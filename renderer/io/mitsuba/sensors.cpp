@@ -101,16 +101,21 @@ void Importer::film(const Node& node) {
   }
   film.crop_x = p.integer({"crop_offset_x"}, 0);
   film.crop_y = p.integer({"crop_offset_y"}, 0);
-  film.crop_width = p.integer({"crop_width"}, 0);
-  film.crop_height = p.integer({"crop_height"}, 0);
+  film.crop_width = p.integer({"crop_width"}, film.width);
+  film.crop_height = p.integer({"crop_height"}, film.height);
   const auto inside = [](int64_t offset, int64_t size, int64_t whole) {
-    return offset >= 0 && size >= 0 && offset + size <= whole;
+    return offset >= 0 && size > 0 && offset + size <= whole;
   };
   if (!inside(film.crop_x, film.crop_width, film.width) ||
       !inside(film.crop_y, film.crop_height, film.height)) {
-    throw Error("{}: the crop window leaves the film of {} x {} pixels; correct it.",
-                node.source.to_string(), film.width, film.height);
+    throw Error(
+        "{}: the crop window of {} x {} pixels at ({}, {}) is not inside the film of {} x {}; "
+        "correct it.",
+        node.source.to_string(), film.crop_width, film.crop_height, film.crop_x, film.crop_y,
+        film.width, film.height);
   }
+  const bool is_whole = film.crop_width == film.width && film.crop_height == film.height;
+  if (is_whole) film.crop_width = film.crop_height = 0;
   if (const Node* filter = p.object("rfilter")) reconstruction_filter(*filter);
 }
 

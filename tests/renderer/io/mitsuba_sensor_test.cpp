@@ -124,6 +124,29 @@ TEST(MitsubaSensor, FilmCropFilterAndSamples) {
   EXPECT_THAT(scene.warnings, testing::IsEmpty());
 }
 
+TEST(MitsubaSensor, CropWindowsDefaultToTheFilmAndMustBeInside) {
+  const auto film = [](const std::string& crop) {
+    return "<sensor type=\"perspective\"><film type=\"hdrfilm\"><integer name=\"width\" "
+           "value=\"100\"/>\n<integer name=\"height\" value=\"50\"/>" +
+           crop + "</film></sensor>";
+  };
+  const SceneDescription columns = read_mitsuba(film(R"(<integer name="crop_offset_x" value="10"/>
+                           <integer name="crop_width" value="20"/>)"));
+  EXPECT_EQ(columns.film.crop_width, 20);
+  EXPECT_EQ(columns.film.crop_height, 50);
+  const SceneDescription rows = read_mitsuba(film(R"(<integer name="crop_height" value="20"/>)"));
+  EXPECT_EQ(rows.film.crop_width, 100);
+  EXPECT_EQ(rows.film.crop_height, 20);
+  EXPECT_EQ(read_mitsuba(film("")).film.crop_width, 0) << "no window";
+  for (const std::string crop :
+       {R"(<integer name="crop_offset_y" value="1"/>)", R"(<integer name="crop_width" value="0"/>)",
+        R"(<integer name="crop_width" value="101"/>)",
+        R"(<integer name="crop_offset_x" value="-1"/><integer name="crop_width" value="9"/>)"}) {
+    EXPECT_THAT(mitsuba_error(film(crop)), testing::ContainsRegex("scene.xml:2: the crop window"))
+        << crop;
+  }
+}
+
 TEST(MitsubaSensor, EveryReconstructionFilter) {
   const std::map<std::string, FilterKind> kinds = {{"box", FilterKind::Box},
                                                    {"tent", FilterKind::Tent},
