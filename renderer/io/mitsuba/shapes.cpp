@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "renderer/io/mesh_file.h"
@@ -49,13 +50,14 @@ std::shared_ptr<const Mesh> Importer::mesh(Properties& p) {
   bool face_normals = p.boolean({"face_normals"}, false);
   const float max_angle = p.number({"max_smooth_angle"}, 0);
   p.ignore({"collapse", "load_materials", "shape_name", "vertex_normals"});
+  const bool encoded = node.type == "ply" && document_.version < 2 && p.boolean({"srgb"}, true);
   if (!serialized && index >= 0) {
     warnings_.add(node.source, "obj shape_index",
                   "'shapeIndex' of an OBJ is not supported; the whole file is read.");
   }
 
-  const std::string key =
-      fmt::format("{} {} {} {} {} {}", node.type, index, flip, face_normals, max_angle, path);
+  const std::string key = fmt::format("{} {} {} {} {} {} {}", node.type, index, flip, encoded,
+                                      face_normals, max_angle, path);
   std::shared_ptr<const Mesh>& known = meshes_[key];
   if (known) return known;
   try {
@@ -65,6 +67,7 @@ std::shared_ptr<const Mesh> Importer::mesh(Properties& p) {
                     : read_mesh_file(path, node.type == "obj" ? MeshFormat::Obj : MeshFormat::Ply);
     face_normals = face_normals || flat_by_file;
     if (flip) flip_v(read);
+    if (encoded) std::ranges::transform(read.colors, read.colors.begin(), srgb_to_linear);
     if (face_normals) {
       read.normals.clear();
     } else if (max_angle > 0) {

@@ -72,6 +72,18 @@ TEST_F(MitsubaScene, PlyDoesNotFlipVUnlessTold) {
             Vec2(1, 0.75f));
 }
 
+TEST_F(MitsubaScene, ColoursOfAPlyAreEncodedInTheOldFormat) {
+  folder_.write("coloured.ply", sample_ply_binary());
+  const auto green = [&](const std::string& version, const std::string& srgb) {
+    const std::string xml =
+        R"(<shape type="ply"><string name="filename" value="coloured.ply"/>)" + srgb + "</shape>";
+    return mesh(shape(xml, version)).colors[2].g;
+  };
+  EXPECT_NEAR(green("0.6.0", ""), 0.132868f, 1e-5f);  // 102 of 255
+  EXPECT_FLOAT_EQ(green("0.6.0", R"(<boolean name="srgb" value="false"/>)"), 0.4f);
+  EXPECT_FLOAT_EQ(green("3.0.0", ""), 0.4f);
+}
+
 TEST_F(MitsubaScene, NormalsAreSmoothUnlessFacesAreAskedFor) {
   const std::string start =
       R"(<shape type="serialized"><string name="filename" value="mesh.serialized"/>)";
