@@ -35,6 +35,7 @@ class Importer {
   CheckerboardTexture checkerboard(Properties& properties);
   Mat3 uv_transform(Properties& properties);
   Color spectrum_plugin(const Node& node, SpectrumUse use);
+  Color spectrum_file(const Node& node, const std::string& name, SpectrumUse use);
   std::shared_ptr<const Image> image(Properties& properties, bool raw);
 
   // bsdfs.cpp

@@ -51,20 +51,19 @@ std::optional<Color> parse_hex(std::string_view text) {
 
 /// "wavelength:value" pairs.
 Color parse_pairs(const Node& node, const std::string& text, SpectrumUse use) {
-  std::vector<SpectralSample> samples;
+  std::vector<double> wavelengths, values;
   for (const std::string_view pair : split_list(text)) {
     const size_t colon = pair.find(':');
     const auto wavelength = parse_number(pair.substr(0, colon));
     const auto value =
         colon == std::string_view::npos ? std::nullopt : parse_number(pair.substr(colon + 1));
-    if (!wavelength || !value || !std::isfinite(*wavelength) || !std::isfinite(*value)) {
+    if (!wavelength || !value) {
       fail(node, std::string(pair), "a pair of a wavelength and a value");
     }
-    samples.push_back({*wavelength, *value});
+    wavelengths.push_back(*wavelength);
+    values.push_back(*value);
   }
-  std::stable_sort(samples.begin(), samples.end(),
-                   [](const auto& a, const auto& b) { return a.wavelength < b.wavelength; });
-  return spectrum_to_rgb(samples, use);
+  return sampled_color(node, wavelengths, values, use);
 }
 
 Color parse_triple(const Node& node, const std::string& text) {
@@ -94,6 +93,22 @@ Color parse_blackbody(const Node& node) {
 std::string plugin_name(const Node& node) {
   return node.type.empty() ? fmt::format("<{}>", node.tag)
                            : fmt::format("{} '{}'", node.tag, node.type);
+}
+
+Color sampled_color(const Node& node, std::span<const double> wavelengths,
+                    std::span<const double> values, SpectrumUse use) {
+  const auto is_finite_value = [](double v) { return std::isfinite(v); };
+  if (wavelengths.empty() || wavelengths.size() != values.size() ||
+      !std::ranges::all_of(wavelengths, is_finite_value) ||
+      !std::ranges::all_of(values, is_finite_value)) {
+    throw Error(
+        "{}: the spectrum '{}' has {} wavelengths and {} values; give as many of both, all finite.",
+        node.source.to_string(), name_of(node), wavelengths.size(), values.size());
+  }
+  std::vector<SpectralSample> samples;
+  for (size_t i = 0; i < values.size(); ++i) samples.push_back({wavelengths[i], values[i]});
+  std::ranges::stable_sort(samples, {}, &SpectralSample::wavelength);
+  return spectrum_to_rgb(samples, use);
 }
 
 Color parse_color(const Node& node, SpectrumUse use) {

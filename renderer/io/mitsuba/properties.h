@@ -2,6 +2,7 @@
 
 #include <initializer_list>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,11 @@ std::string plugin_name(const Node& node);
 
 /// Colour of a float, spectrum, rgb, srgb or blackbody property. Throws Error if it cannot be read.
 Color parse_color(const Node& node, SpectrumUse use);
+
+/// Colour of a spectrum known at some wavelengths [nm], in any order; linear in between. Throws
+/// Error if there are not as many values, or none.
+Color sampled_color(const Node& node, std::span<const double> wavelengths,
+                    std::span<const double> values, SpectrumUse use);
 
 /// What is written inside a plugin, by name. Remembers what was asked for, to warn about the rest.
 /// Names may be given in either dialect; the first that is present of several is taken.

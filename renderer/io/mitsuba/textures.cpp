@@ -1,10 +1,15 @@
+#include <sstream>
+
 #include "renderer/io/image_file.h"
 #include "renderer/io/mitsuba/importer.h"
 #include "renderer/io/mitsuba/transform.h"
 #include "renderer/io/mitsuba/values.h"
+#include "renderer/io/read_file.h"
 
 namespace guidelight::mitsuba {
 namespace {
+
+constexpr size_t kMaxSpectrum = size_t{1} << 24;  // bytes of a file
 
 /// Mitsuba's images have v = 0 at their top row, BitmapTexture at the bottom one.
 const Mat3 kFlipV(Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(0, 1, 1));
@@ -27,6 +32,8 @@ bool is_property(const Node& node) { return node.type.empty(); }
 }  // namespace
 
 ColorInput Importer::color_input(const Node& node, SpectrumUse use) {
+  const std::string* file = node.tag == "spectrum" ? node.attribute("filename") : nullptr;
+  if (file) return {spectrum_file(node, *file, use), kNone};
   if (is_property(node)) return {parse_color(node, use), kNone};
   if (node.tag == "spectrum") return {spectrum_plugin(node, use), kNone};
   if (const auto known = textures_.find(&node); known != textures_.end()) return known->second;
@@ -102,6 +109,11 @@ Color Importer::spectrum_plugin(const Node& node, SpectrumUse use) {
   } else if (node.type == "blackbody") {
     result = blackbody_rgb(std::max(properties.number({"temperature"}, 5000), 1.0f)) *
              properties.number({"scale"}, 1);
+  } else if (node.type == "irregular") {
+    const auto wavelengths = parse_numbers(properties.text({"wavelengths"}, ""));
+    const auto values = parse_numbers(properties.text({"values"}, ""));
+    const std::vector<double> none;
+    result = sampled_color(node, wavelengths.value_or(none), values.value_or(none), use);
   } else {
     warnings_.add(node.source, plugin_name(node),
                   fmt::format("{} is not supported; 1 stands in.", plugin_name(node)));
@@ -109,6 +121,25 @@ Color Importer::spectrum_plugin(const Node& node, SpectrumUse use) {
   }
   properties.warn_about_the_rest();
   return result;
+}
+
+/// A text file with a wavelength [nm] and a value in each line and comments after #.
+Color Importer::spectrum_file(const Node& node, const std::string& name, SpectrumUse use) {
+  std::istringstream lines(read_file_bytes(document_.find_file(name, node.source), kMaxSpectrum));
+  std::vector<double> wavelengths, values;
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    line.resize(std::min(line.find('#'), line.size()));
+    const std::vector<double> pair = parse_numbers(line).value_or(std::vector{0.0});
+    if (pair.empty()) continue;
+    if (pair.size() != 2) {
+      throw Error("{}: line {} of '{}' is not a wavelength and a value; correct it.",
+                  node.source.to_string(), number, name);
+    }
+    wavelengths.push_back(pair[0]);
+    values.push_back(pair[1]);
+  }
+  return sampled_color(node, wavelengths, values, use);
 }
 
 std::shared_ptr<const Image> Importer::image(Properties& properties, bool raw) {

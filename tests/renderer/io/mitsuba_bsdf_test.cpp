@@ -69,6 +69,41 @@ TEST(MitsubaBsdf, ColoursInEveryForm) {
               HasSubstr("not a colour"));
 }
 
+TEST(MitsubaBsdf, SpectraInFilesAndListsAreThoseOfPairs) {
+  const TemporaryFolder folder;
+  folder.write("red.spd", "# reflectance\n360 0.1\n\n 550\t0.2 # nm\r\n600 0.9\n830 0.8\n");
+  folder.write("bad.spd", "360 0.1\n400\n");
+  const auto reflectance = [&](const std::string& spectrum) {
+    const SceneDescription scene = read_mitsuba(
+        folder, "<sensor type=\"perspective\"/><bsdf type=\"diffuse\">" + spectrum + "</bsdf>");
+    EXPECT_THAT(scene.warnings, IsEmpty());
+    return model_of<DiffuseBsdf>(scene).reflectance.value;
+  };
+  const Color pairs =
+      reflectance(R"(<spectrum name="reflectance" value="360:0.1, 550:0.2, 600:0.9, 830:0.8"/>)");
+  EXPECT_GT(pairs.r, 2 * pairs.b);
+  EXPECT_EQ(reflectance(R"(<spectrum name="reflectance" filename="red.spd"/>)"), pairs);
+  EXPECT_EQ(reflectance(R"(<spectrum name="reflectance" type="irregular">
+    <string name="wavelengths" value="600, 360, 550, 830"/>
+    <string name="values" value="0.9, 0.1, 0.2, 0.8"/></spectrum>)"),
+            pairs);
+  const auto error = [&](const std::string& spectrum) -> std::string {
+    try {
+      reflectance(spectrum);
+      return "";
+    } catch (const std::exception& e) {
+      return e.what();
+    }
+  };
+  EXPECT_THAT(error(R"(<spectrum name="reflectance" filename="bad.spd"/>)"),
+              HasSubstr("line 2 of 'bad.spd'"));
+  EXPECT_THAT(error(R"(<spectrum name="reflectance" filename="none.spd"/>)"),
+              HasSubstr("does not exist"));
+  EXPECT_THAT(error(R"(<spectrum name="reflectance" type="irregular">
+    <string name="wavelengths" value="400, 500"/><string name="values" value="1"/></spectrum>)"),
+              HasSubstr("2 wavelengths and 1 values"));
+}
+
 TEST(MitsubaBsdf, Conductors) {
   const auto smooth = model_of<ConductorBsdf>(R"(<bsdf type="conductor">
     <string name="material" value="Au"/></bsdf>)");
