@@ -100,7 +100,8 @@ class Loader {
 
   /// Defaults count wherever they stand; the first of a name wins and none overrides a define.
   void collect_defaults(const pugi::xml_node& root, const File& file) {
-    for (const pugi::xml_node& element : root.children("default")) {
+    for (const pugi::xpath_node& found : root.select_nodes(".//default")) {
+      const pugi::xml_node element = found.node();
       variables_.try_emplace(
           element.attribute("name").value(),
           replace_variables(element.attribute("value").value(), file.source(element)));

@@ -23,6 +23,20 @@ TEST(MitsubaDocument, DefaultsMayStandAnywhereAndDefinesWin) {
   EXPECT_EQ(read_mitsuba(folder, body, "3.0.0", {{"h", "7"}}).film.height, 7);
 }
 
+TEST(MitsubaDocument, DefaultsCountInsideOtherElements) {
+  const TemporaryFolder folder;
+  folder.write("more.xml",
+               "<scene version=\"3.0.0\"><bsdf type=\"diffuse\">"
+               "<default name=\"h\" value=\"4\"/></bsdf></scene>");
+  const std::string body = std::string(kFilm) +
+                           R"(<shape type="sphere"><bsdf type="diffuse">
+                                <default name="w" value="3"/></bsdf></shape>
+                              <default name="w" value="99"/><include filename="more.xml"/>)";
+  const SceneDescription scene = read_mitsuba(folder, body);
+  EXPECT_EQ(scene.film.width, 3);
+  EXPECT_EQ(scene.film.height, 4);
+}
+
 TEST(MitsubaDocument, TheLongestVariableIsReplaced) {
   const SceneDescription scene = read_mitsuba(R"(
     <default name="r" value="1"/><default name="res" value="12"/><default name="w" value="$res0"/>
