@@ -13,12 +13,16 @@ std::string shape_label(const ShapeDescription& description) {
              : fmt::format("Shape '{}'", description.name);
 }
 
-LinearTransform::LinearTransform(const Mat4& to_world, const ShapeDescription& description) {
+bool is_singular(const Mat4& to_world) {
   const glm::dmat3 m(to_world);
   const double volume = glm::length(m[0]) * glm::length(m[1]) * glm::length(m[2]);
+  return std::abs(glm::determinant(m)) <= 1e-8 * volume;
+}
+
+LinearTransform::LinearTransform(const Mat4& to_world, const ShapeDescription& description) {
+  const glm::dmat3 m(to_world);
   const double det = glm::determinant(m);
-  // Relative to the lengths of the axes, so that small and very flat shapes are welcome.
-  if (!std::isfinite(volume) || !is_finite(Vec3(to_world[3])) || !(std::abs(det) > 1e-8 * volume)) {
+  if (!std::isfinite(det) || !is_finite(Vec3(to_world[3])) || is_singular(to_world)) {
     throw Error(
         "{} has a transform that is singular or not finite; give it a transform that can be "
         "inverted",

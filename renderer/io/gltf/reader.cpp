@@ -4,6 +4,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "renderer/io/flat_shape.h"
 #include "renderer/io/framing.h"
 #include "renderer/io/gltf/asset.h"
 #include "renderer/io/gltf/materials.h"
@@ -172,6 +173,11 @@ class Reader {
       shape.radiance = surface.radiance;
       shape.is_medium_boundary = surface.interior != kNone;
       shape.interior = surface.interior;
+      if (!keep_drawable(shape)) {
+        notices_.add(fmt::format(
+            "the node '{}' is scaled to nothing in some direction; its mesh is left out.", name));
+        continue;
+      }
       scene_.shapes.push_back(std::move(shape));
     }
   }

@@ -67,8 +67,10 @@ class Importer {
   int medium(const Node& node);
 
   // shapes.cpp
-  /// Empty for a shape that is not supported.
+  /// Empty for a shape that is not supported or has no surface.
   std::optional<ShapeDescription> shape(const Node& node);
+  /// The shape if there is anything of it to see; otherwise warns.
+  std::optional<ShapeDescription> drawable(const Node& node, ShapeDescription shape);
   bool geometry(Properties& properties, ShapeDescription& shape);
   std::shared_ptr<const Mesh> mesh(Properties& properties);
   void attach(Properties& properties, ShapeDescription& shape);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "renderer/io/flat_shape.h"
 #include "renderer/io/mesh_file.h"
 #include "renderer/io/mesh_tools.h"
 #include "renderer/io/mitsuba/importer.h"
@@ -149,7 +150,7 @@ std::optional<ShapeDescription> Importer::shape(const Node& node) {
     }
     shape.geometry = InstanceShape{group(*target)};
     p.warn_about_the_rest();
-    return shape;
+    return drawable(node, std::move(shape));
   }
   if (!geometry(p, shape)) {
     warnings_.add(node.source, plugin_name(node),
@@ -159,7 +160,15 @@ std::optional<ShapeDescription> Importer::shape(const Node& node) {
   shape.flip_normals = p.boolean({"flip_normals"}, false);
   attach(p, shape);
   p.warn_about_the_rest();
-  return shape;
+  return drawable(node, std::move(shape));
+}
+
+std::optional<ShapeDescription> Importer::drawable(const Node& node, ShapeDescription shape) {
+  if (keep_drawable(shape)) return shape;
+  warnings_.add(node.source, "singular " + node.source.to_string(),
+                fmt::format("{} '{}' is scaled to nothing in some direction; it is left out.",
+                            plugin_name(node), shape.name));
+  return std::nullopt;
 }
 
 /// One shape, or the parts of a container; nothing for a group, which is there to be copied.

@@ -64,6 +64,22 @@ TEST(Gltf, TextAndBinarySayTheSame) {
   }
 }
 
+TEST(Gltf, NodesScaledToNothingAreLeftOutUnlessFlat) {
+  const auto scaled = [](const std::string& scale) {
+    return read(changed(
+        R"("children":[1]},{"camera":0}])",
+        R"("children":[1,2]},{"camera":0},{"mesh":0,"name":"thin","scale":)" + scale + "}]"));
+  };
+  const SceneDescription without = scaled("[0,1,1]");
+  EXPECT_EQ(without.shapes.size(), 1u);
+  EXPECT_THAT(without.warnings, testing::ElementsAre(HasSubstr("'thin' is scaled to nothing")));
+  const SceneDescription flat = scaled("[2,1,0]");  // the triangle lies in z = 0
+  EXPECT_THAT(flat.warnings, IsEmpty());
+  ASSERT_EQ(flat.shapes.size(), 2u);
+  EXPECT_EQ(flat.shapes[1].to_world[0], Vec4(2, 0, 0, 0));
+  EXPECT_EQ(flat.shapes[1].to_world[2], Vec4(0, 0, 1, 0));
+}
+
 TEST(Gltf, MetallicRoughnessIsATwoSidedBlend) {
   const SceneDescription scene = read(sample_gltf());
   const auto& sides = bsdf<TwoSidedBsdf>(scene, scene.shapes[0].bsdf);

@@ -154,6 +154,28 @@ TEST_F(MitsubaScene, MissingAndBrokenMeshesNameTheSceneLine) {
   EXPECT_THAT(mitsuba_error(R"(<shape type="obj"/>)"), HasSubstr("names no file"));
 }
 
+TEST_F(MitsubaScene, ShapesScaledToNothingAreLeftOutUnlessFlat) {
+  const auto scaled = [&](const std::string& type, const std::string& scale) {
+    return read("<shape type=\"" + type + "\" id=\"it\"><transform name=\"to_world\"><scale " +
+                scale +
+                "/><rotate x=\"1\" angle=\"90\"/></transform></shape><shape type=\"cube\"/>");
+  };
+  for (const std::string type : {"rectangle", "disk"}) {
+    const SceneDescription scene = scaled(type, R"(x="2" z="0")");
+    EXPECT_THAT(scene.warnings, IsEmpty());
+    ASSERT_EQ(scene.shapes.size(), 2u);
+    const Mat4& to_world = scene.shapes[0].to_world;
+    expect_near(transform_vector(to_world, Vec3(1, 0, 0)), Vec3(2, 0, 0));
+    expect_near(transform_vector(to_world, Vec3(0, 0, 1)), Vec3(0, -1, 0));
+  }
+  for (const auto& [type, scale] : std::vector<std::pair<std::string, std::string>>{
+           {"rectangle", R"(x="0")"}, {"sphere", R"(z="0")"}, {"cube", R"(value="0")"}}) {
+    const SceneDescription scene = scaled(type, scale);
+    EXPECT_THAT(scene.warnings, testing::ElementsAre(HasSubstr("'it' is scaled to nothing")));
+    EXPECT_EQ(scene.shapes.size(), 1u) << type;
+  }
+}
+
 TEST_F(MitsubaScene, UnsupportedShapesAreLeftOut) {
   const SceneDescription scene = read(R"(<shape type="heightfield"/><shape type="sphere"/>)");
   EXPECT_EQ(scene.shapes.size(), 1u);
