@@ -3,6 +3,7 @@
 #include "renderer/error.h"
 #include "renderer/math/axes.h"
 #include "renderer/sampling/warp.h"
+#include "renderer/scene/field_of_view.h"
 
 namespace guidelight {
 
@@ -41,27 +42,6 @@ void check_camera(const CameraDescription& camera) {
   }
 }
 
-/// Half the width and height of a full picture at unit distance.
-Vec2 half_extent(const CameraDescription& camera, float aspect) {
-  if (camera.model == CameraModel::Orthographic) return {1, 1 / aspect};
-  const float half = std::tan(0.5f * camera.fov * kPi / 180);
-  const bool wide = aspect > 1;
-  switch (camera.fov_axis) {
-    case FovAxis::X:
-      return {half, half / aspect};
-    case FovAxis::Y:
-      return {half * aspect, half};
-    case FovAxis::Smaller:
-      return wide ? Vec2(half * aspect, half) : Vec2(half, half / aspect);
-    case FovAxis::Larger:
-      return wide ? Vec2(half, half / aspect) : Vec2(half * aspect, half);
-    case FovAxis::Diagonal:
-      break;
-  }
-  const float half_height = half / std::sqrt(1 + sqr(aspect));
-  return {half_height * aspect, half_height};
-}
-
 }  // namespace
 
 Camera::Camera(const CameraDescription& camera, const FilmDescription& film)
@@ -84,8 +64,9 @@ Camera::Camera(const CameraDescription& camera, const FilmDescription& film)
   const Mat3 linear(camera.to_world);
   const Vec2 scale(glm::length(linear[0]), glm::length(linear[1]));
   const Vec2 stretch = scale / (orthographic ? 1.0f : glm::length(linear[2]));
-  const Vec2 half = stretch * half_extent(camera, static_cast<float>(film.width) /
-                                                      static_cast<float>(film.height));
+  const float aspect = static_cast<float>(film.width) / static_cast<float>(film.height);
+  const Vec2 half = stretch * (orthographic ? Vec2(1, 1 / aspect)
+                                            : half_extent(camera.fov, camera.fov_axis, aspect));
   plane_per_pixel_ = -2.0f * half / Vec2(film.width, film.height);
   const Vec2 first_pixel = Vec2(film.crop_x, film.crop_y) * (film.crop_width > 0 ? 1.0f : 0.0f) +
                            camera.principal_point_offset * Vec2(film.width, film.height);

@@ -3,6 +3,7 @@
 
 #include "renderer/io/mitsuba/importer.h"
 #include "renderer/io/sun_position.h"
+#include "renderer/scene/field_of_view.h"
 
 namespace guidelight::mitsuba {
 
@@ -110,23 +111,31 @@ ProjectorEmitter Importer::projector(Properties& p) {
   ProjectorEmitter light;
   light.to_world = p.transform({"to_world"});
   light.scale = p.number({"scale"}, 1);
-  light.fov_x = std::clamp(p.number({"fov"}, 45), 0.1f, 179.0f) * kPi / 180;
-  p.ignore({"fov_axis"});
+  light.image = projected_image(p, light.scale);
+  const float aspect =
+      static_cast<float>(light.image->width()) / static_cast<float>(light.image->height());
+  const auto [fov, axis] = field_of_view(p);
+  light.fov_x = 2 * std::atan(half_extent(fov, axis, aspect).x);
+  return light;
+}
+
+/// The image of a bitmap; a colour is an image of one pixel.
+std::shared_ptr<const Image> Importer::projected_image(Properties& p, float& scale) {
   const Node* map = p.find({"irradiance"});
   if (!map) map = p.object("texture");
-  if (!map && p.find({"filename"})) {
-    light.image = image(p, false);
-    return light;
+  if (!map && p.find({"filename"})) return image(p, false);
+  const ColorInput input = map ? color_input(*map, SpectrumUse::Emission) : ColorInput{};
+  if (input.texture != kNone) {
+    if (const auto* bitmap = std::get_if<BitmapTexture>(&scene_.textures[input.texture].model)) {
+      scale *= luminance(input.value);
+      return bitmap->image;
+    }
+    warnings_.add(map->source, "projected texture",
+                  "only bitmaps can be projected; a plain colour stands in.");
   }
-  const int index = map ? texture(*map) : kNone;
-  const auto* bitmap =
-      index == kNone ? nullptr : std::get_if<BitmapTexture>(&scene_.textures[index].model);
-  if (!bitmap) {
-    throw Error("{}: the projector has no bitmap; give it a texture named 'irradiance'.",
-                p.node().source.to_string());
-  }
-  light.image = bitmap->image;
-  return light;
+  auto pixel = std::make_shared<Image>(1, 1, 3);
+  for (int c = 0; c < 3; ++c) pixel->data()[c] = input.value[c];
+  return pixel;
 }
 
 }  // namespace guidelight::mitsuba

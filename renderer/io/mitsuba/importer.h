@@ -84,9 +84,12 @@ class Importer {
   SpotEmitter spot(Properties& properties);
   SunSkyEmitter sun_sky(Properties& properties);
   ProjectorEmitter projector(Properties& properties);
+  std::shared_ptr<const Image> projected_image(Properties& properties, float& scale);
 
   // sensors.cpp
   void sensor(const Node& node);
+  /// The angle [degrees] and what it is measured along, of a sensor or a projector.
+  std::pair<float, FovAxis> field_of_view(Properties& properties);
   void film(const Node& node);
   void reconstruction_filter(const Node& node);
   void integrator(const Node& node);

@@ -56,17 +56,7 @@ void Importer::sensor(const Node& node) {
   if (!(std::abs(glm::determinant(Mat3(camera.to_world))) > 0)) {
     throw Error("{}: the camera's transform is singular; correct it.", node.source.to_string());
   }
-  camera.fov_axis = fov_axis(p.text({"fov_axis"}, "x"), warnings_, node);
-  if (p.find({"fov"})) {
-    camera.fov = p.number({"fov"}, 50);
-  } else {
-    camera.fov = fov_of_focal_length(node, p.text({"focal_length"}, "50mm"));
-    camera.fov_axis = FovAxis::Diagonal;
-  }
-  if (!(camera.fov > 0 && camera.fov < 180)) {
-    throw Error("{}: a field of view of {} degrees is not between 0 and 180; correct 'fov'.",
-                node.source.to_string(), camera.fov);
-  }
+  std::tie(camera.fov, camera.fov_axis) = field_of_view(p);
   camera.principal_point_offset =
       Vec2(p.number({"principal_point_offset_x"}, 0), p.number({"principal_point_offset_y"}, 0));
   camera.near_clip = p.number({"near_clip"}, camera.near_clip);
@@ -86,6 +76,19 @@ void Importer::sensor(const Node& node) {
   }
   if (const Node* inside = p.object("medium")) scene_.camera_medium = medium(*inside);
   p.warn_about_the_rest();
+}
+
+std::pair<float, FovAxis> Importer::field_of_view(Properties& p) {
+  const Node& node = p.node();
+  const FovAxis axis = fov_axis(p.text({"fov_axis"}, "x"), warnings_, node);
+  const std::string focal_length = p.text({"focal_length"}, "50mm");
+  if (!p.find({"fov"})) return {fov_of_focal_length(node, focal_length), FovAxis::Diagonal};
+  const float fov = p.number({"fov"}, 50);
+  if (!(fov > 0 && fov < 180)) {
+    throw Error("{}: a field of view of {} degrees is not between 0 and 180; correct 'fov'.",
+                node.source.to_string(), fov);
+  }
+  return {fov, axis};
 }
 
 void Importer::film(const Node& node) {

@@ -318,6 +318,37 @@ TEST_F(MitsubaScene, ConstantEnvironmentAndProjector) {
   EXPECT_NEAR(projector.fov_x * 180 / kPi, 30, 1e-4f);
 }
 
+TEST_F(MitsubaScene, ProjectorsHaveTheFieldOfViewOfSensors) {
+  folder_.write("wide.hdr", sample_hdr());  // twice as wide as high
+  const auto half_width = [&](const std::string& view) {
+    const auto projector = emitter<ProjectorEmitter>(
+        "<emitter type=\"projector\"><texture type=\"bitmap\" name=\"irradiance\">"
+        "<string name=\"filename\" value=\"wide.hdr\"/></texture>" +
+        view + "</emitter>");
+    return std::tan(projector.fov_x / 2);
+  };
+  const float half = std::tan(20 * kPi / 180);
+  const std::string fov = R"(<float name="fov" value="40"/><string name="fov_axis" value=)";
+  EXPECT_NEAR(half_width(fov + "\"x\"/>"), half, 1e-5f);
+  EXPECT_NEAR(half_width(fov + "\"y\"/>"), 2 * half, 1e-5f);
+  EXPECT_NEAR(half_width(fov + "\"diagonal\"/>"), 2 * half / std::sqrt(5.0f), 1e-5f);
+  const float diagonal = std::sqrt(36.0f * 36 + 24 * 24) / (2 * 35);
+  EXPECT_NEAR(half_width(R"(<string name="focal_length" value="35mm"/>)"),
+              2 * diagonal / std::sqrt(5.0f), 1e-5f);
+}
+
+TEST_F(MitsubaScene, ProjectorsOfAColourThrowOnePixel) {
+  const auto projector = emitter<ProjectorEmitter>(
+      R"(<emitter type="projector"><rgb name="irradiance" value="1, 2, 3"/></emitter>)");
+  EXPECT_EQ(projector.image->color(0, 0), Color(1, 2, 3));
+  EXPECT_EQ(emitter<ProjectorEmitter>(R"(<emitter type="projector"/>)").image->color(0, 0),
+            Color(1));
+  EXPECT_THAT(read(R"(<emitter type="projector"><texture type="checkerboard" name="irradiance"/>
+                      </emitter>)")
+                  .warnings,
+              testing::ElementsAre(HasSubstr("only bitmaps")));
+}
+
 TEST_F(MitsubaScene, SunAndSky) {
   const auto both = emitter<SunSkyEmitter>(R"(<emitter type="sunsky">
     <vector name="sunDirection" x="1" y="1" z="0"/><float name="turbidity" value="4"/>
