@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <new>
 
 #include "renderer/error.h"
 
@@ -14,7 +15,15 @@ Film::Film(int width, int height, const FilterSettings& filter)
     throw Error("a film of {}x{} pixels has nothing to show: give it at least one pixel", width,
                 height);
   }
-  pixels_ = ZeroedArray<Pixel>(static_cast<size_t>(width) * height);
+  const size_t pixels = static_cast<size_t>(width) * height;
+  try {
+    pixels_ = ZeroedArray<Pixel>(pixels);
+  } catch (const std::bad_alloc&) {
+    throw Error(
+        "a film of {}x{} pixels needs {:.1f} GiB of memory, more than there is: render fewer "
+        "pixels or a crop window",
+        width, height, static_cast<double>(pixels) * sizeof(Pixel) / (1 << 30));
+  }
 }
 
 // -- Samples and splats.

@@ -1,4 +1,5 @@
 #include <map>
+#include <type_traits>
 
 #include "renderer/error.h"
 #include "renderer/scene/accelerator.h"
@@ -20,12 +21,24 @@ class Scene::Builder {
     make_shapes();
     make_accelerator();
     make_all_lights();
-    return std::shared_ptr<const Scene>(
-        new Scene(content_, Camera(description().camera, description().film)));
+    const Camera camera =
+        naming_file([&] { return Camera(description().camera, description().film); });
+    return std::shared_ptr<const Scene>(new Scene(content_, camera));
   }
 
  private:
   const SceneDescription& description() const { return *content_->description; }
+
+  /// What `make` returns; its errors get the scene's file in front.
+  template <typename Make>
+  std::invoke_result_t<Make> naming_file(Make make) const {
+    try {
+      return make();
+    } catch (const Error& error) {
+      if (description().path.empty()) throw;
+      throw Error("{}: {}", description().path, error.what());
+    }
+  }
 
   void make_materials() {
     content_->textures = make_textures(description());
@@ -68,7 +81,7 @@ class Scene::Builder {
 
   void add_shape(const ShapeDescription& shape, const Mat4& parent, int group) {
     ShapeBinding binding;
-    binding.shape = make_shape(shape, parent);
+    binding.shape = naming_file([&] { return make_shape(shape, parent); });
     binding.name = shape.name;
     const bool has_bsdf = shape.bsdf != kNone;
     binding.bsdf = has_bsdf ? content_->bsdfs.at(shape.bsdf) : default_bsdf_;
@@ -90,8 +103,8 @@ class Scene::Builder {
     instance.to_local = glm::inverse(shape.to_world);
     if (!is_finite(Vec3(instance.to_local[0])) || !is_finite(Vec3(instance.to_local[3]))) {
       throw Error(
-          "line {}: the transform of instance '{}' is singular: scale every axis by more than 0",
-          shape.line, shape.name);
+          "{}:{}: the transform of instance '{}' is singular: scale every axis by more than 0",
+          description().path, shape.line, shape.name);
     }
     for (int axis = 0; axis < 3; ++axis) {
       instance.scale = std::max(instance.scale, glm::length(Vec3(shape.to_world[axis])));
@@ -138,7 +151,8 @@ class Scene::Builder {
       content_->shapes[i].light = content_->lights.back().get();
     }
     for (const EmitterDescription& emitter : description().emitters) {
-      for (auto& light : make_lights(emitter, context)) add_light(std::move(light));
+      auto lights = naming_file([&] { return make_lights(emitter, context); });
+      for (auto& light : lights) add_light(std::move(light));
     }
     choose_probabilities();
   }

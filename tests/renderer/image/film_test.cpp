@@ -29,6 +29,18 @@ TEST(Film, averages_samples_and_tells_the_variance_of_the_mean) {
   EXPECT_NEAR(*film.develop(Layer::Variance).pixel(1, 0), 14.0 / 12, 1e-5);
 }
 
+TEST(Film, more_pixels_than_memory_are_an_error_with_a_remedy) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the address sanitizer ends the program where malloc returns nothing";
+#endif
+  try {
+    Film(2000000000, 2000000000);
+    FAIL() << "four exapixels fit into memory";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("render fewer pixels"), std::string::npos);
+  }
+}
+
 TEST(Film, depth_averages_only_samples_that_hit) {
   Film film(1, 1);
   FilmSample hit = sample(1);
