@@ -15,6 +15,7 @@ namespace {
 constexpr const char* kMark = "guidelight_checkpoint";  // key of the version
 constexpr int kVersion = 3;
 constexpr int kLargestSide = 65536;
+constexpr float kLargestRadius = 32;  // [pixels] that scenes may ask of a filter
 
 nlohmann::json filter_json(const FilterSettings& f) {
   return {{"kind", static_cast<int>(f.kind)},
@@ -24,10 +25,16 @@ nlohmann::json filter_json(const FilterSettings& f) {
           {"c", f.c}};
 }
 
-FilterSettings filter_from(const nlohmann::json& json) {
+FilterSettings filter_from(const std::string& path, const nlohmann::json& json) {
   FilterSettings f;
-  f.kind = static_cast<FilterKind>(json.at("kind").get<int>());
+  const int kind = json.at("kind");
   f.radius = json.at("radius");
+  const bool is_known = kind >= 0 && kind <= static_cast<int>(FilterKind::Mitchell);
+  if (!is_known || !(f.radius >= 0 && f.radius <= kLargestRadius)) {
+    throw Error("{}: a filter of kind {} and radius {} is not possible: the file is damaged", path,
+                kind, f.radius);
+  }
+  f.kind = static_cast<FilterKind>(kind);
   f.stddev = json.at("stddev");
   f.b = json.at("b");
   f.c = json.at("c");
@@ -84,7 +91,7 @@ Checkpoint read_checkpoint(const std::string& path) {
     }
     std::vector<double> state(bytes.size() / sizeof(double));
     std::memcpy(state.data(), bytes.data(), bytes.size());
-    auto film = std::make_shared<Film>(width, height, filter_from(header.at("filter")));
+    auto film = std::make_shared<Film>(width, height, filter_from(path, header.at("filter")));
     film->restore(state);
     Checkpoint checkpoint;
     checkpoint.film = std::move(film);
