@@ -124,9 +124,9 @@ void Importer::roughness(Properties& p, FloatInput& alpha_u, FloatInput& alpha_v
 
 Importer::BsdfModel Importer::conductor(Properties& p, bool rough) {
   ConductorBsdf bsdf;
-  const bool has_indices = p.find({"eta"}) || p.find({"k"});
-  // Copper is the default of Mitsuba 0.x, a perfect mirror that of 2 and 3.
-  const std::string fallback = document_.version < 2 && !has_indices ? "Cu" : "none";
+  // Copper is the default of Mitsuba 0.x, a perfect mirror that of 2 and 3; also of what only one
+  // of `eta` and `k` leaves open.
+  const std::string fallback = document_.version < 2 ? "Cu" : "none";
   const std::string material = p.text({"material"}, fallback);
   const std::optional<ConductorData> data = named_conductor(material);
   if (!data) {

@@ -113,6 +113,10 @@ TEST(MitsubaBsdf, Conductors) {
   EXPECT_EQ(mirror.k, Color(1));
   EXPECT_NEAR(model_of<ConductorBsdf>(R"(<bsdf type="conductor"/>)", "0.6.0").k.r, 3.913f, 1e-3f)
       << "copper is the default of the old format";
+  const std::string eta = R"(<bsdf type="conductor"><rgb name="eta" value="2"/></bsdf>)";
+  EXPECT_NEAR(model_of<ConductorBsdf>(eta, "0.6.0").k.r, 3.913f, 1e-3f) << "for k alone too";
+  EXPECT_EQ(model_of<ConductorBsdf>(eta, "0.6.0").eta, Color(2));
+  EXPECT_EQ(model_of<ConductorBsdf>(eta, "3.0.0").k, Color(1));
   const auto rough = model_of<ConductorBsdf>(R"(<bsdf type="roughconductor">
     <string name="distribution" value="ggx"/><float name="alphaU" value="0.1"/>
     <float name="alphaV" value="0.3"/><float name="extEta" value="2"/>
