@@ -161,6 +161,9 @@ int Materials::opaque_bsdf(const Json& material, const std::string& name, const 
     if (const Json* specular = extension(material, "KHR_materials_specular")) {
       plastic.specular_reflectance.value = number_of(*specular, "specularFactor", 1) *
                                            color_of(*specular, "specularColorFactor", Color(1));
+      if (find(*specular, "specularTexture") || find(*specular, "specularColorTexture")) {
+        notices_.add("textures of 'KHR_materials_specular' are not supported; its factors count.");
+      }
     }
     bsdf = add_bsdf(name + " (dielectric)", plastic);
   }

@@ -132,6 +132,21 @@ TEST(Gltf, EmissiveStrengthAndAlphaModes) {
   EXPECT_FLOAT_EQ(bsdf<MaskBsdf>(scene, scene.shapes[0].bsdf).opacity.value, 0.25f);
 }
 
+TEST(Gltf, TexturesOfSpecularReflectionAreReported) {
+  const auto warnings = [](const std::string& specular) {
+    return with_material(R"({"pbrMetallicRoughness":{"metallicFactor":0},"extensions":{
+        "KHR_materials_specular":{)" +
+                         specular + "}}}")
+        .warnings;
+  };
+  const std::string message = "textures of 'KHR_materials_specular'";
+  EXPECT_THAT(warnings(R"("specularTexture":{"index":0})"), testing::Contains(HasSubstr(message)));
+  EXPECT_THAT(warnings(R"("specularColorTexture":{"index":0})"),
+              testing::Contains(HasSubstr(message)));
+  EXPECT_THAT(warnings(R"("specularFactor":0.5)"),
+              testing::Not(testing::Contains(HasSubstr(message))));
+}
+
 TEST(Gltf, TextureRotationIsCounterClockwiseInThePicture) {
   const SceneDescription scene = with_material(
       R"({"pbrMetallicRoughness":{"metallicFactor":0,"baseColorTexture":{"index":0,"extensions":{
