@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "renderer/integrators/integrator.h"
 #include "renderer/photons/photon_cloud.h"
+#include "renderer/transport/guide_mixture.h"
 #include "tests/renderer/transport/guide_scenes.h"
 
 namespace guidelight {
