@@ -9,11 +9,12 @@ using namespace std::chrono_literals;
 
 class HarvestTest : public RoomTest {
  protected:
-  /// Presses K until the search has found something to keep.
+  /// Presses K until the search has found something to keep; on a busy machine that may keep it
+  /// more than once.
   bool keep_strongest() {
     return wait_until([&] {
       driver_->press_key("k");
-      return wait_until([&] { return saved_guides().size() == 1; }, 2s);
+      return wait_until([&] { return !saved_guides().empty(); }, 2s);
     });
   }
 
@@ -37,13 +38,14 @@ TEST_F(HarvestTest, ThePickedPixelsStrongestPathIsKeptByK) {
   const Point end = in_picture(guide.vertices.back().position);
   EXPECT_LT(std::hypot(end.x - picked.x, end.y - picked.y), 5) << "it leads to what was clicked";
 
-  driver_->press_key("z", {"Control_L"});
-  EXPECT_TRUE(wait_for_guides(0));
+  EXPECT_TRUE(wait_until([&] {
+    driver_->press_key("z", {"Control_L"});
+    return wait_until([&] { return saved_guides().empty(); }, 2s);
+  }));
 }
 
 TEST_F(HarvestTest, ADraggedRectangleIsHarvestedAndShownInBothViews) {
   open_room();
-  const ScreenPicture before = capture();
   driver_->press_key("h");
   const Point low = in_picture(kWall + Vec3(-0.4f, 0.3f, 0));
   const Point high = in_picture(kWall + Vec3(0.4f, -0.3f, 0));

@@ -77,7 +77,7 @@ std::vector<GuidePath> RoomTest::saved_guides() const {
 }
 
 bool RoomTest::wait_for_guides(size_t count) const {
-  return wait_until([&] { return saved_guides().size() == count; }, 5s);
+  return wait_until([&] { return saved_guides().size() == count; });
 }
 
 void RoomTest::expect_usable(const GuidePath& guide) const {

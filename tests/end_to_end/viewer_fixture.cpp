@@ -85,21 +85,25 @@ bool ViewerTest::change_view(const std::function<void()>& act) const {
   return wait_until([&] { return view_difference(before) > kMoreThanNoise; });
 }
 
-/// Fields are runs of their colour just inside the panel's right edge.
-Point ViewerTest::field_in_left_panel(size_t index) const {
+/// Fields are runs of their colour.
+std::vector<Point> ViewerTest::fields_at(int x) const {
   constexpr uint32_t kField = 0x363639;
-  constexpr int kInside = 290;
-  constexpr int kMiddle = 200;
   constexpr int kLowestHeight = 12;
   const ScreenPicture screen = capture();
   std::vector<Point> fields;
   int begin = 0;
   for (int y = 0; y < screen.height; ++y) {
-    if (screen.at({kInside, y}) == kField) continue;
-    if (y - begin > kLowestHeight) fields.push_back({kMiddle, (begin + y) / 2});
+    if (screen.at({x, y}) == kField) continue;
+    if (y - begin > kLowestHeight) fields.push_back({x, (begin + y) / 2});
     begin = y + 1;
   }
-  return fields.at(index);
+  return fields;
+}
+
+Point ViewerTest::field_in_left_panel(size_t index) const {
+  constexpr int kInside = 290;  // just inside the panel's right edge
+  constexpr int kMiddle = 200;
+  return {kMiddle, fields_at(kInside).at(index).y};
 }
 
 std::string ViewerTest::save_png() {

@@ -39,6 +39,8 @@ class ViewerTest : public testing::Test {
   /// Does something that changes the view, a dialog for instance, and waits until it has.
   bool change_view(const std::function<void()>& act) const;
 
+  /// Input fields and buttons that reach a column of the screen, from above.
+  std::vector<Point> fields_at(int x) const;
   /// The middle of an input field of the left panel, counted from above.
   Point field_in_left_panel(size_t index) const;
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "renderer/integrators/integrator.h"
 #include "renderer/photons/photon_cloud.h"
 #include "renderer/transport/guide_mixture.h"
