@@ -7,8 +7,8 @@ namespace guidelight {
 /// How an error message names a shape.
 std::string shape_label(const ShapeDescription& description);
 
-/// True if a transform takes some volume to none, relative to the lengths of its axes, so that small
-/// and very flat shapes are welcome; false for one that is not finite.
+/// True if a transform takes some volume to none, relative to the lengths of its axes, so that
+/// small and very flat shapes are welcome; false for one that is not finite.
 bool is_singular(const Mat4& to_world);
 
 /// The linear part of a shape's transform and its inverse. Points are best taken relative to the
