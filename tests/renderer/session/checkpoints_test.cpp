@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "renderer/error.h"
+#include "renderer/session/open_scene.h"
 #include "tests/renderer/test_scenes.h"
 
 namespace guidelight {
@@ -77,17 +78,25 @@ TEST_F(CheckpointsTest, of_another_render_are_refused_with_what_differs) {
   EXPECT_THAT(refusal(checkpoint, job), HasSubstr("define.detail nothing and not 2"));
 }
 
+/// What counts is the version that was rendered, not what the file has become since.
 TEST_F(CheckpointsTest, of_a_scene_that_has_changed_are_refused) {
   const std::string scene_path = ::testing::TempDir() + "guidelight_checkpoints_test.xml";
-  std::ofstream(scene_path) << "first";
-  SceneDescription room = testing::room(8, 6);
-  room.path = scene_path;
-  RenderJob job = room_job();
-  job.scene = testing::build(std::move(room));
-  const Checkpoint checkpoint = saved(job);
-  EXPECT_EQ(refusal(checkpoint, job), "");
-  std::ofstream(scene_path) << "second";
-  EXPECT_THAT(refusal(checkpoint, job), HasSubstr(scene_path + " has changed"));
+  const auto job_of_version = [&](const std::string& radiance) {
+    std::ofstream(scene_path) << "<scene version='3.0.0'><sensor type='perspective'/><emitter "
+                                 "type='constant'><rgb name='radiance' value='"
+                              << radiance << "'/></emitter></scene>";
+    const auto description = open_scene(scene_path);
+    description->film.width = description->film.height = 8;
+    RenderJob job;
+    job.scene = Scene::build(description);
+    return job;
+  };
+  const RenderJob first = job_of_version("0.1");
+  const Checkpoint checkpoint = saved(first);
+  const RenderJob second = job_of_version("0.2");
+  EXPECT_EQ(refusal(checkpoint, first), "");
+  EXPECT_THAT(refusal(checkpoint, second), HasSubstr(scene_path + " has changed"));
+  EXPECT_EQ(refusal(saved(first), first), "") << "saved after the file has changed";
   std::filesystem::remove(scene_path);
 }
 
