@@ -89,7 +89,7 @@ class Figure {
   static float margin() { return scaled(14); }
   static float row_height() { return ImGui::GetTextLineHeight() + scaled(8); }
   int columns() const {
-    return std::max(1, static_cast<int>((picture_size_.x - 2 * margin()) / scaled(290)));
+    return std::max(1, static_cast<int>((picture_size_.x - 2 * margin()) / scaled(400)));
   }
   float legend_height() const {
     const auto rows = (shown_.size() + columns() - 1) / columns();
@@ -98,9 +98,13 @@ class Figure {
 
   std::string caption() const {
     const Snapshot& snapshot = *picture_.snapshot;
-    return fmt::format("{}  ·  {}  ·  {} passes in {}", document_.title(),
-                       find_integrator(document_.picture_job().integrator).label, snapshot.passes,
-                       format_duration(snapshot.seconds));
+    const std::string progress =
+        snapshot.passes == 0
+            ? "preview"
+            : fmt::format("{} pass{} in {}", snapshot.passes, snapshot.passes == 1 ? "" : "es",
+                          format_duration(snapshot.seconds));
+    return fmt::format("{}  ·  {}  ·  {}", document_.title(),
+                       find_integrator(document_.picture_job().integrator).label, progress);
   }
 
   void draw_caption(ImDrawList& list) const {

@@ -96,9 +96,13 @@ void draw_plot(const char* id, std::span<const PlotCurve> curves, const PlotAxes
   }
   const float small = 0.85f * ImGui::GetFontSize();
   const auto corner_text = [&](Vec2 at, const std::string& text, bool right) {
-    const float width = ImGui::GetFont()->CalcTextSizeA(small, FLT_MAX, 0, text.c_str()).x;
-    list.AddText(ImGui::GetFont(), small, {right ? at.x - width : at.x, at.y}, palette::kDim,
-                 text.c_str());
+    const Vec2 extent =
+        from_imgui(ImGui::GetFont()->CalcTextSizeA(small, FLT_MAX, 0, text.c_str()));
+    if (right) at.x -= extent.x;
+    // Curves pass below.
+    list.AddRectFilled(to_imgui(at - scaled(2)), to_imgui(at + extent + scaled(2)),
+                       faded(palette::kBackdrop, 0.8f), scaled(2));
+    list.AddText(ImGui::GetFont(), small, to_imgui(at), palette::kDim, text.c_str());
   };
   const float pad = scaled(5);
   corner_text(corner + Vec2(pad, scaled(3)), with_plot_unit(y.high(), axes.y_unit), false);

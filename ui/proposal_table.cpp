@@ -39,14 +39,16 @@ void right_aligned(const std::string& text) {
 }
 
 void draw_headings(const char* heading) {
-  const float width = ImGui::CalcTextSize("0.00 %").x + scaled(2);
   ImGui::TableSetupColumn(heading, ImGuiTableColumnFlags_WidthStretch);
+  const float widest_number = ImGui::CalcTextSize("0.00 %").x;
+  const float arrow = scaled(13);  // of the order
   for (const ColumnText& column : kNumberColumns) {
-    const bool first = column.heading == kNumberColumns.back().heading;
+    const float width = std::max(widest_number, ImGui::CalcTextSize(column.heading).x + arrow);
+    const bool is_default = column.heading == kNumberColumns.back().heading;
     ImGui::TableSetupColumn(column.heading,
                             ImGuiTableColumnFlags_WidthFixed |
                                 ImGuiTableColumnFlags_PreferSortDescending |
-                                (first ? ImGuiTableColumnFlags_DefaultSort : 0),
+                                (is_default ? ImGuiTableColumnFlags_DefaultSort : 0),
                             width);
   }
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);

@@ -44,7 +44,7 @@ TEST_F(HarvestTest, ThePickedPixelsStrongestPathIsKeptByK) {
   }));
 }
 
-TEST_F(HarvestTest, ADraggedRectangleIsHarvestedAndShownInBothViews) {
+TEST_F(HarvestTest, ADraggedRectangleIsHarvested) {
   open_room();
   driver_->press_key("h");
   const Point low = in_picture(kWall + Vec3(-0.4f, 0.3f, 0));

@@ -52,7 +52,9 @@ TEST(GuidedPhotons, LieInTheConeOfTheirGuide) {
 
 TEST(GuidedPhotons, AreNoneWithoutGuides) {
   const auto scene = guide_test::lit_scenes().front().build();
-  for (const auto& photon : photons_of("sppm", scene, {}).points) EXPECT_EQ(photon.guide, -1);
+  const PhotonCloud cloud = photons_of("sppm", scene, {});
+  EXPECT_FALSE(cloud.points.empty());
+  for (const auto& photon : cloud.points) EXPECT_EQ(photon.guide, -1);
 }
 
 }  // namespace
