@@ -22,7 +22,7 @@ void edit_guide(Document& document, size_t guide, const std::string& label, Chan
   document.edit_guides(std::move(guides), label, kind);
 }
 
-void draw_commands(const Document& document, bool tool_active, const Perform& perform) {
+void draw_guide_commands(const Document& document, bool tool_active, const Perform& perform) {
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
   const auto command = [&](const char* label, Action action, bool on) {
@@ -252,7 +252,7 @@ void draw_guides_panel(Document& document, const ToolsHeld& tools, const std::st
     return;
   }
   if (section("Guide paths")) {
-    draw_commands(document, tools.guide, perform);
+    draw_guide_commands(document, tools.guide, perform);
     if (document.guides()->empty()) {
       draw_hint_for_first_guide();
     } else {

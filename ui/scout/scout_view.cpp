@@ -14,7 +14,7 @@ namespace guidelight {
 namespace {
 
 constexpr float kFieldOfView = 60;  // [degrees] of the smaller side
-constexpr float kDensityOpacity = 0.9f;
+constexpr float kSurfaceDensityOpacity = 0.9f;
 const Vec4 kScoutBackground{0.105f, 0.11f, 0.115f, 1};
 
 }  // namespace
@@ -113,7 +113,7 @@ void ScoutView::rasterise(const ViewProjection& projection, Vec4 clip, Vec2 corn
   target_.begin(static_cast<int>(room.x), static_cast<int>(room.y), kScoutBackground);
   display_.draw_mesh(wanted.clip_from_world, {settings_.style, camera_.position(), clip});
   display_.draw_density(wanted.clip_from_world,
-                        {MeshStyle::Map, camera_.position(), clip, kDensityOpacity});
+                        {MeshStyle::Map, camera_.position(), clip, kSurfaceDensityOpacity});
   PointRaster::Look look;
   look.clip_plane = clip;
   display_.draw_photons(wanted.clip_from_world, look);
