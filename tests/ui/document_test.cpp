@@ -27,7 +27,7 @@ class DocumentTest : public ::testing::Test {
 
   /// Frames of the window until the condition holds; false if it does not within ten seconds.
   bool update_until(const std::function<bool()>& condition) {
-    const auto end = Document::Clock::now() + 10s;
+    const auto end = Document::Clock::now() + 10s * GUIDELIGHT_SLOWDOWN;
     while (Document::Clock::now() < end) {
       document_.update(Document::Clock::now());
       if (condition()) return true;
