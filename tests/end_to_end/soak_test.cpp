@@ -123,7 +123,7 @@ TEST_F(SoakTest, LivesThroughAnything) {
   copy_scenes();
   ASSERT_NO_FATAL_FAILURE(
       start({"--frame-times", (folder() / "scenes/default/scene.xml").string()}));
-  ASSERT_TRUE(wait_for_full_picture());
+  ASSERT_TRUE(wait_for_picture());
   const fs::path first = save_png();
   const std::string home = (folder() / "scenes" / "home.png").string();
   fs::rename(first, home);
