@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 
 #include "ui/format.h"
@@ -41,7 +42,9 @@ void right_aligned(const std::string& text) {
 void draw_headings(const char* heading) {
   ImGui::TableSetupColumn(heading, ImGuiTableColumnFlags_WidthStretch);
   const float widest_number = ImGui::CalcTextSize("0.00 %").x;
-  const float arrow = scaled(13);  // of the order
+  // As much as ImGui keeps free for the arrow of the order.
+  const float arrow =
+      std::ceil(0.65f * ImGui::GetFontSize() + ImGui::GetStyle().FramePadding.x) + 1;
   for (const ColumnText& column : kNumberColumns) {
     const float width = std::max(widest_number, ImGui::CalcTextSize(column.heading).x + arrow);
     const bool is_default = column.heading == kNumberColumns.back().heading;
