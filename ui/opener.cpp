@@ -1,24 +1,12 @@
 #include "ui/opener.h"
 
-#include <algorithm>
-#include <cctype>
 #include <exception>
-#include <filesystem>
 #include <utility>
 
 #include "renderer/error.h"
+#include "renderer/session/picture_export.h"
 
 namespace guidelight {
-namespace {
-
-/// A file that Guidelight may have saved, with the session in its metadata.
-bool looks_like_picture(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  return ending == ".png" || ending == ".exr";
-}
-
-}  // namespace
 
 Opener::Opener(Document& document, std::shared_ptr<UiQueue> queue,
                std::function<void()> scene_opened)
@@ -33,7 +21,7 @@ Opener::Opener(Document& document, std::shared_ptr<UiQueue> queue,
           }) {}
 
 void Opener::open(const std::string& path, const std::map<std::string, std::string>& defines) {
-  if (looks_like_picture(path)) {
+  if (is_picture_path(path)) {
     open_picture(path);
   } else if (is_checkpoint(path)) {
     resume(path);

@@ -110,9 +110,13 @@ void export_png(const std::string& path, const RenderJob& job, const Snapshot& s
   write_png(path, image, data);
 }
 
-void check_picture_path(const std::string& path) {
+bool is_picture_path(const std::string& path) {
   const std::string ending = extension(path);
-  if (ending != ".exr" && ending != ".png") {
+  return ending == ".exr" || ending == ".png";
+}
+
+void check_picture_path(const std::string& path) {
+  if (!is_picture_path(path)) {
     throw Error("{}: pictures are written as .exr or .png: choose one of these endings", path);
   }
 }

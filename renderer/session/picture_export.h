@@ -29,7 +29,10 @@ void export_techniques(const std::string& path, const RenderJob& job, const Snap
 void export_picture(const std::string& path, const RenderJob& job, const Snapshot& snapshot,
                     bool full_float = false);
 
-/// Throws Error if `path` has no ending that export_picture knows.
+/// Whether `path` has an ending that export_picture knows, in capitals or not.
+bool is_picture_path(const std::string& path);
+
+/// Throws Error unless is_picture_path.
 void check_picture_path(const std::string& path);
 
 }  // namespace guidelight

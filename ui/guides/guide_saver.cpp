@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "renderer/io/guide_file.h"
+#include "ui/numbered_files.h"
 
 namespace guidelight {
 namespace {
@@ -15,13 +16,6 @@ constexpr std::chrono::milliseconds kCalm{400};  // without a change, before it 
 fs::file_time_type time_of(const std::string& path) {
   std::error_code absent;
   return fs::last_write_time(path, absent);
-}
-
-/// The name, or the name with the first number that no file has.
-std::string free_name(const std::string& name) {
-  std::string path = name;
-  for (int number = 2; fs::exists(path); ++number) path = name + std::to_string(number);
-  return path;
 }
 
 }  // namespace
@@ -64,7 +58,10 @@ void GuideSaver::flush() {
 void GuideSaver::write(const std::string& path, const GuideList& list, bool is_unreadable) {
   const bool is_changed = fs::exists(path) && time_of(path) != known_;
   if (is_unreadable || is_changed) {
-    const std::string aside = free_name(path + (is_unreadable ? ".unreadable" : ".other"));
+    const fs::path file = path;
+    const std::string aside =
+        NumberedFiles(file.parent_path().string())
+            .next(file.filename().string(), is_unreadable ? "unreadable" : "other");
     fs::rename(path, aside);
     const std::string reason = is_unreadable ? "could not be read" : "was changed from elsewhere";
     queue_.post([this, text = path + " " + reason + "; it is kept as " + aside] {
