@@ -3,27 +3,19 @@
 //   memory_bench [SCENE]      default: scenes/mirror-glass-box at 64x64
 
 #include <fmt/format.h>
-#include <unistd.h>
-
-#include <fstream>
 
 #include "renderer/integrators/bidirectional/light_vertices.h"
 #include "renderer/integrators/progressive_photons/measurement_points.h"
 #include "renderer/io/scene_file.h"
 #include "renderer/photons/photon.h"
+#include "renderer/process_memory.h"
 
 namespace guidelight {
 namespace {
 
 constexpr int kSide = 64;
 
-double resident_megabytes() {
-  std::ifstream statm("/proc/self/statm");
-  double total = 0;
-  double resident = 0;
-  statm >> total >> resident;
-  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
-}
+double resident_megabytes() { return 1e-6 * static_cast<double>(resident_bytes()); }
 
 void print_growth(const std::shared_ptr<const Scene>& scene, const std::string& name) {
   const IntegratorInfo& info = find_integrator(name);

@@ -3,7 +3,7 @@
 #include "ui/forecast.h"
 #include "ui/format.h"
 #include "ui/panels/panels.h"
-#include "ui/process_memory.h"
+#include "renderer/process_memory.h"
 #include "ui/proposal_table.h"
 #include "ui/widgets.h"
 

@@ -1,22 +1,12 @@
 // Progressive methods go on for ever: their memory must not grow with the passes.
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <fstream>
-
+#include "renderer/process_memory.h"
 #include "tests/renderer/test_scenes.h"
 
 namespace guidelight {
 namespace {
-
-double resident_bytes() {
-  std::ifstream statm("/proc/self/statm");
-  double total = 0;
-  double resident = 0;
-  statm >> total >> resident;
-  return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
-}
 
 class Memory : public ::testing::TestWithParam<const char*> {};
 
@@ -36,7 +26,7 @@ TEST_P(Memory, does_not_grow_with_passes) {
     }
   };
   render(0, 10);
-  const double after_10 = resident_bytes();
+  const auto after_10 = static_cast<double>(resident_bytes());
   render(10, 1000);
   EXPECT_LT(resident_bytes(), 1.02 * after_10);
 }

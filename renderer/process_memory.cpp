@@ -1,4 +1,4 @@
-#include "ui/process_memory.h"
+#include "renderer/process_memory.h"
 
 #include <unistd.h>
 
