@@ -7,8 +7,8 @@
 #include "renderer/integrators/bidirectional/light_vertices.h"
 #include "renderer/integrators/progressive_photons/measurement_points.h"
 #include "renderer/io/scene_file.h"
+#include "renderer/parallel/process_memory.h"
 #include "renderer/photons/photon.h"
-#include "renderer/process_memory.h"
 
 namespace guidelight {
 namespace {

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
+#include "renderer/parallel/process_memory.h"
 #include "ui/forecast.h"
 #include "ui/format.h"
 #include "ui/panels/panels.h"
-#include "renderer/process_memory.h"
 #include "ui/proposal_table.h"
 #include "ui/widgets.h"
 

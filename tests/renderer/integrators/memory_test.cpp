@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/process_memory.h"
+#include "renderer/parallel/process_memory.h"
 #include "tests/renderer/test_scenes.h"
 
 namespace guidelight {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/integrators/metropolis/film_observer.h"
 #include "renderer/metropolis/bidirectional_mutation.h"
 #include "renderer/metropolis/bidirectional_sampler.h"
 #include "renderer/metropolis/caustic_perturbation.h"
@@ -78,21 +79,19 @@ Blocks run_chains(const Scene& scene, const MutationSet& set, uint64_t seed, int
     total += weights[i] = pdf > 0 ? static_cast<float>(path.target() / pdf) : 0.0f;
   }
   const DiscreteDistribution start(weights);
-  Blocks sums{};
+  Film film(kSide, kSide, scene.camera().film().filter);
+  film.prepare_splats();
+  film.add_splat_count(1);
+  FilmObserver observer(film, total / kSeeds / chains / steps, Rng(seed, 3, 0));
   for (int c = 0; c < chains; ++c) {
     const uint32_t chosen = start.sample((c + Rng(seed, 1, c).next_float()) / chains).index;
     Rng rng(seed, 0, chosen);
     sampler.sample(path, rng);
     MarkovChain chain(set, path, Rng(seed, 2, c));
-    chain.run(steps, [&](const Path& x, double weight) {
-      const auto column = static_cast<int>(x.raster.x * kBlocks / kSide);
-      const auto row = static_cast<int>(x.raster.y * kBlocks / kSide);
-      sums[row * kBlocks + column] += weight;
-      sums.back() += weight;
-    });
+    chain.run(steps, observer);
   }
-  for (double& sum : sums) sum *= total / kSeeds / chains / steps;
-  return sums;
+  observer.flush();
+  return block_means(film.develop(Layer::Beauty));
 }
 
 struct Case {

@@ -1,4 +1,4 @@
-#include "renderer/process_memory.h"
+#include "renderer/parallel/process_memory.h"
 
 #include <unistd.h>
 
