@@ -31,7 +31,7 @@ std::vector<Method> methods(const ComparisonScene& scene) {
       {"pppm", "scene_radius=0.5,alpha=1,light_paths=2", 6},
       {"ppm", "scene_radius=0.5,light_paths=2", 6},
       {"sppm", "scene_radius=0.5,light_paths=2", 6},
-      {"photon_map", "light_paths=30000,neighbors=20,gather_rays=50", 3},
+      {"photon_map", "light_paths=30000,neighbors=20,gather_rays=30", 3},
       {"photon_map", "light_paths=30000,neighbors=20,gather_rays=4,irradiance_cache=false", 3},
   };
   if (scene.is_diffuse) {
@@ -43,7 +43,7 @@ std::vector<Method> methods(const ComparisonScene& scene) {
 
 /// Those with Markov chains, whose runs are less alike.
 std::vector<Method> metropolis_methods() {
-  return {{"mlt", "mutations=16", 6}, {"pssmlt", "mutations=16", 6}};
+  return {{"mlt", "mutations=8", 6}, {"pssmlt", "mutations=8", 6}};
 }
 
 class Agreement : public ::testing::TestWithParam<ComparisonScene> {
@@ -82,7 +82,7 @@ class MetropolisPhotonsAgreement : public Agreement {};
 TEST_P(MetropolisPhotonsAgreement, WithThePathTracer) {
   compare_with_path_tracer(
       {{"mps",
-        "mutations=50000,light_paths=20000,importance_paths=50000,neighbors=30,gather_rays=40", 4}},
+        "mutations=50000,light_paths=20000,importance_paths=50000,neighbors=30,gather_rays=40", 2}},
       0.01);
 }
 
