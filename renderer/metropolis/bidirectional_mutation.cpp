@@ -20,13 +20,28 @@ class GapTable {
   /// Probability of a gap between so many kept vertices that is filled to a path of `new_size`.
   float probability(int from_light, int from_eye, int new_size) const;
 
+  /// A new size where the gap is given, or 0 if there is no such gap.
+  int sample_size(int from_light, int from_eye, float u) const;
+  float size_probability(int from_light, int from_eye, int new_size) const;
+
  private:
   struct Cut {
     int from_light;
     int from_eye;
     int min_size;                // of the new path
     DiscreteDistribution sizes;  // of the new path, from min_size on
+
+    int sample_size(float u) const { return min_size + static_cast<int>(sizes.sample(u).index); }
+    float probability(int new_size) const {
+      const int which = new_size - min_size;
+      return which >= 0 && which < static_cast<int>(sizes.size()) ? sizes.pmf(which) : 0;
+    }
   };
+  /// Null if there is none.
+  const Cut* cut(int from_light, int from_eye) const {
+    const int i = from_light + from_eye <= size_ ? index_[from_light * (size_ + 1) + from_eye] : -1;
+    return i < 0 ? nullptr : &cuts_[i];
+  }
 
   int size_;
   std::vector<Cut> cuts_;
@@ -80,18 +95,25 @@ GapTable::GapTable(int size, const PathLengths& lengths)
 
 Gap GapTable::sample(Rng& rng) const {
   const Cut& cut = cuts_[distribution_.sample(rng.next_float()).index];
-  const int new_size = cut.min_size + static_cast<int>(cut.sizes.sample(rng.next_float()).index);
+  const int new_size = cut.sample_size(rng.next_float());
   return {cut.from_light, new_size - cut.from_light - cut.from_eye, cut.from_eye};
 }
 
 float GapTable::probability(int from_light, int from_eye, int new_size) const {
-  if (from_light + from_eye > size_) return 0;
-  const int i = index_[from_light * (size_ + 1) + from_eye];
-  if (i < 0) return 0;
-  const Cut& cut = cuts_[i];
-  const int which = new_size - cut.min_size;
-  if (which < 0 || which >= static_cast<int>(cut.sizes.size())) return 0;
-  return distribution_.pmf(i) * cut.sizes.pmf(which);
+  const Cut* found = cut(from_light, from_eye);
+  if (!found) return 0;
+  const auto i = static_cast<uint32_t>(found - cuts_.data());
+  return distribution_.pmf(i) * found->probability(new_size);
+}
+
+int GapTable::sample_size(int from_light, int from_eye, float u) const {
+  const Cut* found = cut(from_light, from_eye);
+  return found ? found->sample_size(u) : 0;
+}
+
+float GapTable::size_probability(int from_light, int from_eye, int new_size) const {
+  const Cut* found = cut(from_light, from_eye);
+  return found ? found->probability(new_size) : 0;
 }
 
 // Where a vertex drawn from the light's (the eye's) side has no other place to be, it gets there
@@ -142,9 +164,11 @@ class BidirectionalMutation : public Mutation {
     return sum;
   }
 
- private:
+ protected:
   const GapTable& table(const Path& x) const { return tables_[x.size() - min_size_]; }
+  const Scene& scene() const { return scene_; }
 
+ private:
   /// Of the gap that keeps so many vertices of x.
   double gap_density(const Path& x, const Path& y, int from_light, int from_eye) const {
     const Gap gap{from_light, y.size() - from_light - from_eye, from_eye};
@@ -158,27 +182,64 @@ class BidirectionalMutation : public Mutation {
   std::vector<GapTable> tables_;  // by the number of vertices
 };
 
+/// UP of Fan et al. 2005, section 5.2, with two changes. All of the light's side is drawn anew,
+/// half of the time with a guide and half of the time without: a path that has been found along a
+/// guide could else hardly be left again, and would hardly be accepted. And where the guide ends
+/// the path may go on. What is kept is the eye's side up to its first finite vertex, as in the
+/// source, or nothing: caustics that the eye sees directly need that.
 class GuidedMutation final : public BidirectionalMutation {
  public:
   GuidedMutation(const Scene& scene, const PathLengths& lengths,
                  std::shared_ptr<const GuideMixture> guides, float guided)
       : BidirectionalMutation(scene, lengths),
-        proposal_(scene, std::move(guides)),
-        lengths_(lengths),
+        sampler_(scene, {std::move(guides), kGuideShare}),
         guided_(guided) {}
 
   bool propose(const Path& x, Path& y, Rng& rng) const override {
     if (rng.next_float() >= guided_) return BidirectionalMutation::propose(x, y, rng);
-    return proposal_.propose(x, lengths_.max, y, rng) && lengths_.contains(y.length());
+    const int kept = rng.next_float() < kWholePath ? 0 : kept_from_eye(x);
+    const int size = table(x).sample_size(0, kept, rng.next_float());
+    const Gap gap{0, size - kept, kept};
+    if (size == 0) return false;
+    y.splice(x, 0, gap.inserted, kept);
+    return sampler_.fill(gap, y, rng);
   }
 
   double density(const Path& x, const Path& y) const override {
-    return guided_ * proposal_.density(x, y) + (1 - guided_) * BidirectionalMutation::density(x, y);
+    return guided_ * guided_density(x, y) + (1 - guided_) * BidirectionalMutation::density(x, y);
   }
 
  private:
-  GuideProposal proposal_;
-  PathLengths lengths_;
+  static constexpr float kGuideShare = 0.5f;
+  static constexpr float kWholePath = 0.5f;
+
+  /// Vertices from the lens to the first finite one; 0 where the eye sees the light by specular
+  /// events alone.
+  static int kept_from_eye(const Path& x) {
+    const int first = x.next_finite_towards_light(x.length());
+    return first > 0 ? x.size() - first : 0;
+  }
+
+  /// As of the bidirectional mutation: what the paths share was kept, nothing more.
+  double guided_density(const Path& x, const Path& y) const {
+    if (shared_from_light(x, y) > (y.light->is_delta() ? 1 : 0)) return 0;
+    const int kept = kept_from_eye(x);
+    const int shared = shared_from_eye(x, y);
+    double sum = 0;
+    if (shared <= (scene().camera().has_pinhole() ? 1 : 0)) {
+      sum += (kept == 0 ? 1 : kWholePath) * size_density(x, y, 0);
+    }
+    if (kept > 0 && shared == kept) sum += (1 - kWholePath) * size_density(x, y, kept);
+    return sum;
+  }
+
+  double size_density(const Path& x, const Path& y, int kept) const {
+    const Gap gap{0, y.size() - kept, kept};
+    const float probability = table(x).size_probability(0, kept, y.size());
+    return probability > 0 && gap.is_possible() ? probability * sampler_.density(gap, y) : 0;
+  }
+
+  BidirectionalSampler sampler_;
   float guided_;
 };
 

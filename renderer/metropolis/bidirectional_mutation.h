@@ -2,9 +2,9 @@
 
 #include <memory>
 
-#include "renderer/metropolis/guide_proposal.h"
 #include "renderer/metropolis/mutation.h"
 #include "renderer/metropolis/path_lengths.h"
+#include "renderer/transport/guide_mixture.h"
 
 namespace guidelight {
 

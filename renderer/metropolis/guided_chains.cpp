@@ -9,8 +9,8 @@
 namespace guidelight {
 
 GuidedChains::GuidedChains(const Scene& scene, const PathLengths& lengths,
-                           const MutationWeights& weights)
-    : scene_(scene), lengths_(lengths), weights_(weights) {
+                           const MutationWeights& weights, PathFilter filter)
+    : scene_(scene), lengths_(lengths), weights_(weights), filter_(std::move(filter)) {
   if (weights.bidirectional == 0) {
     throw Error(
         "without bidirectional mutations a chain cannot reach every path: give 'bidirectional' "
@@ -38,6 +38,14 @@ void GuidedChains::follow(const std::shared_ptr<const GuideMixture>& guides) {
   guides_ = guides;
   make_mutations();
   for (MarkovChain& chain : chains_) chain.forget_guides();
+}
+
+void GuidedChains::start(size_t i, Path path, Rng rng) {
+  if (i < chains_.size()) {
+    chains_[i].restart(std::move(path), rng);
+  } else {
+    chains_.emplace_back(mutations_, std::move(path), rng, filter_);
+  }
 }
 
 }  // namespace guidelight

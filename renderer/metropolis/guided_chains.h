@@ -24,10 +24,14 @@ struct MutationWeights {
 class GuidedChains {
  public:
   /// Throws Error if the chains could not reach every path. `scene` must outlive this.
-  GuidedChains(const Scene& scene, const PathLengths& lengths, const MutationWeights& weights);
+  GuidedChains(const Scene& scene, const PathLengths& lengths, const MutationWeights& weights,
+               PathFilter filter = {});
 
   /// From now on the chains follow these guides; null for none.
   void follow(const std::shared_ptr<const GuideMixture>& guides);
+
+  /// Lets chain i, which is the next new one or exists, go on from a path that carries light.
+  void start(size_t i, Path path, Rng rng);
 
   const MutationSet& mutations() const { return mutations_; }
   const GuideMixture* guides() const { return guides_.get(); }
@@ -40,6 +44,7 @@ class GuidedChains {
   const Scene& scene_;
   PathLengths lengths_;
   MutationWeights weights_;
+  PathFilter filter_;
   std::shared_ptr<const GuideMixture> guides_;
   MutationSet mutations_;
   std::vector<MarkovChain> chains_;

@@ -7,7 +7,7 @@
 namespace guidelight {
 namespace {
 
-constexpr int kLongestPath = 12;  // segments
+constexpr int kLongestWay = 12;  // segments
 
 /// A camera whose whole picture is a part of another's.
 Camera camera_of_region(const Camera& camera, const PixelRegion& region) {
@@ -26,7 +26,7 @@ Camera camera_of_region(const Camera& camera, const PixelRegion& region) {
 std::vector<HarvestedPath> harvest(const Scene& scene, const PixelRegion& region, int samples,
                                    size_t count, const std::atomic<bool>& stop) {
   const auto seen = scene.with_camera(camera_of_region(scene.camera(), region));
-  const PathSampler sampler(*seen, {2, kLongestPath});
+  const PathSampler sampler(*seen, {2, kLongestWay});
   Ways ways(scene);
   Path path;
   for (int i = 0; i < samples && !stop; ++i) {

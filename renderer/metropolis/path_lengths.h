@@ -6,7 +6,10 @@ namespace guidelight {
 
 class Path;
 
-/// The paths that a chain visits, by their number of segments.
+/// Longest path of chains, in segments.
+constexpr int kLongestPath = 64;
+
+/// The paths that a chain visits, by their number of segments: at most kLongestPath.
 struct PathLengths {
   int min = 1;
   int max = 12;

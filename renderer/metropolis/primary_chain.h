@@ -9,12 +9,17 @@ namespace guidelight {
 /// the luminance of the path over its density. Observed like a MarkovChain.
 class PrimaryChain {
  public:
-  /// `sampler` must outlive this; with `start` it must draw a path that carries light. `rng` is for
-  /// what follows: chains may share their start.
-  PrimaryChain(const PathSampler& sampler, Rng start, Rng rng, float large_steps)
-      : sampler_(sampler), samples_(start), large_steps_(large_steps) {
+  /// `sampler` must outlive this.
+  PrimaryChain(const PathSampler& sampler, float large_steps)
+      : sampler_(sampler), large_steps_(large_steps) {}
+
+  /// Begins, or begins anew; what was counted stays. With `first` the sampler must draw a path that
+  /// carries light. `rng` is for what follows: chains may share their first path.
+  void start(Rng first, Rng rng) {
+    samples_ = PrimarySamples(first);
     value_ = evaluate(current_);
     samples_.rng() = rng;
+    origin_ = true;
   }
 
   template <typename Observe>
@@ -32,7 +37,7 @@ class PrimaryChain {
   }
 
   const PathSampler& sampler_;
-  PrimarySamples samples_;
+  PrimarySamples samples_{Rng(0, 0, 0)};
   float large_steps_;
   Path current_;
   Path candidate_;

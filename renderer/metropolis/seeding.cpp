@@ -14,7 +14,13 @@ Rng path_rng(uint64_t seed, uint64_t pass, size_t i) { return {seed ^ kSeedStrea
 
 }  // namespace
 
-void Seeding::draw(size_t count, uint64_t seed, uint64_t pass, Parallel& parallel) {
+void Seeding::follow(std::shared_ptr<const GuideMixture> guides) {
+  constexpr float kGuideShare = 0.3f;
+  sampler_.follow({std::move(guides), kGuideShare});
+}
+
+void Seeding::draw(size_t count, uint64_t seed, uint64_t pass, Parallel& parallel,
+                   const Observer& observe) {
   constexpr size_t kBatch = 1000;
   seed_ = seed;
   pass_ = pass;
@@ -24,7 +30,9 @@ void Seeding::draw(size_t count, uint64_t seed, uint64_t pass, Parallel& paralle
     for (size_t i = batch * kBatch; i < std::min((batch + 1) * kBatch, count); ++i) {
       Rng rng = path_rng(seed, pass, i);
       const double pdf = sampler_.sample(path, rng);
-      weights[i] = pdf > 0 ? static_cast<float>(path.target() / pdf) : 0.0f;
+      if (!(pdf > 0)) continue;
+      weights[i] = static_cast<float>(path.target() / pdf);
+      if (observe) observe(i, path, pdf);
     }
   });
   for (const float weight : weights) sum_ += weight, squares_ += sqr(double{weight});

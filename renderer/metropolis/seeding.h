@@ -16,8 +16,16 @@ class Seeding {
   Seeding(const Scene& scene, const PathLengths& lengths, PathFilter filter = {})
       : sampler_(scene, lengths, std::move(filter)) {}
 
+  /// From now on a share of the paths follows these guides; null for none.
+  void follow(std::shared_ptr<const GuideMixture> guides);
+
+  /// Is shown the i-th path of a draw and its density; only paths that carry light, from many
+  /// threads at once.
+  using Observer = std::function<void(size_t i, const Path& path, double pdf)>;
+
   /// Draws `count` more paths, numbered by (seed, pass); chains may start from these.
-  void draw(size_t count, uint64_t seed, uint64_t pass, Parallel& parallel);
+  void draw(size_t count, uint64_t seed, uint64_t pass, Parallel& parallel,
+            const Observer& observe = {});
 
   /// B, the integral of the target: the mean over all paths drawn so far, and its standard error.
   double normalization() const { return count_ > 0 ? sum_ / static_cast<double>(count_) : 0; }

@@ -64,7 +64,7 @@ Neighbors PhotonMap::nearest_on_surface(const SurfacePoint& point, const Estimat
   Neighbors result;
   size_t count = 0;
   // Most points have no other surface near.
-  for (size_t searched = k;; searched = std::min(2 * searched, most)) {
+  for (size_t searched = k;; searched = most) {
     result = tree_.nearest(point.position, searched, settings.max_distance, buffer);
     const auto end = std::partition(begin, begin + result.found.size(), [&](const Neighbor& n) {
       return is_same_surface(tree_.items()[n.index].normal(), point.geometric_normal);

@@ -157,13 +157,26 @@ bool Path::update_specular(int i) {
   return !is_black(x.value);
 }
 
-void Path::update_transmittance(const Scene& scene) {
+template <typename Visit>
+void Path::visit_media(const Scene& scene, int first, Visit&& visit) const {
   // The camera knows what it is in; beyond an interface, the interface does.
   const Medium* medium = scene.camera_medium();
-  for (int i = length() - 1; i >= 0; --i) {
-    points[i].transmittance = medium ? medium->transmittance(points[i].distance) : Color(1);
+  for (int i = length() - 1; i >= first; --i) {
+    visit(i, medium);
     if (i > 0) medium = medium_beyond(points[i].point, -points[i - 1].direction, medium);
   }
+}
+
+const Medium* Path::medium(const Scene& scene, int i) const {
+  const Medium* result = nullptr;
+  visit_media(scene, i, [&](int, const Medium* medium) { result = medium; });
+  return result;
+}
+
+void Path::update_transmittance(const Scene& scene) {
+  visit_media(scene, 0, [&](int i, const Medium* medium) {
+    points[i].transmittance = medium ? medium->transmittance(points[i].distance) : Color(1);
+  });
 }
 
 void Path::update_contribution() {

@@ -71,6 +71,9 @@ class Path {
   /// light cannot be hit.
   double hit_probability() const { return hit_probability_; }
 
+  /// What the segment from vertex i to the next passes through; null is vacuum.
+  const Medium* medium(const Scene& scene, int i) const;
+
   /// Whether vertices i - 1 and i may be joined by a connection. A light and the lens may not: what
   /// they see of each other is for paths from the eye.
   bool is_connectible_edge(int i) const;
@@ -87,6 +90,9 @@ class Path {
   bool update_lens(const Scene& scene);
   bool update_scattering(int i);
   bool update_specular(int i);
+  /// Calls visit(i, medium) for the segments from the lens to `first`.
+  template <typename Visit>
+  void visit_media(const Scene& scene, int first, Visit&& visit) const;
   void update_transmittance(const Scene& scene);
   void update_contribution();
 

@@ -6,9 +6,6 @@ namespace guidelight {
 
 namespace {
 
-/// Longest paths of chains, in segments.
-constexpr int kLongest = 64;
-
 /// Emitters and direct light.
 constexpr int kDirectLength = 2;
 
@@ -28,16 +25,17 @@ std::unique_ptr<Integrator> direct_light(std::shared_ptr<const Scene> scene, int
 }  // namespace
 
 ChainSettings::ChainSettings(const RenderHints& hints) {
-  if (hints.max_depth && *hints.max_depth > 0) max_length = std::min(*hints.max_depth, kLongest);
+  if (hints.max_depth && *hints.max_depth > 0)
+    max_length = std::min(*hints.max_depth, kLongestPath);
 }
 
 std::vector<Parameter> ChainSettings::parameters() {
   return {
       {"max_length", "Longest path", "Longest path in segments.", "segments", &max_length, 1,
-       kLongest},
+       kLongestPath},
       {"min_length", "Shortest path",
        "Shortest path in segments: 1 shows emitters, 2 begins with direct light.", "segments",
-       &min_length, 1, kLongest},
+       &min_length, 1, kLongestPath},
       {"separate_direct", "Direct light apart",
        "Emitters and direct light are path traced, which is quicker where they are easy; not with "
        "a shortest path.",
@@ -71,7 +69,11 @@ bool ChainPass::prepare(uint32_t pass, Film& film, const PassContext& context) {
   if (lengths_.min > lengths_.max) return false;
   const uint64_t half = steps_per_chain(film) * settings_.chains / 2;
   const auto seeds = std::min<uint64_t>(settings_.seed_paths, std::max<uint64_t>(half, 1));
-  seeding_.draw(seeds, context.seed, pass, *context.parallel);
+  seeds_.assign(seeds, {});
+  seeding_.draw(seeds, context.seed, pass, *context.parallel,
+                [&](size_t i, const Path& path, double pdf) {
+                  seeds_[i] = {splat_of(path), path.target(), pdf};
+                });
   return true;
 }
 

@@ -9,10 +9,20 @@ bool is_caustic(const Path& path) {
   return finite == 1;
 }
 
+Splat splat_of(const Path& path) {
+  // f/Y(f) is a colour of luminance 1: f alone may leave the range of single precision.
+  return {path.raster, Color(path.contribution() / path.target()), path.length() <= 2,
+          is_caustic(path)};
+}
+
 void FilmObserver::operator()(const Path& path, double weight) {
-  // f/Y(f) is a colour of luminance 1.
-  const Color contribution(path.contribution() * (scale_ * weight / path.target()));
-  splats_[count_] = {path.raster, contribution, path.length() <= 2, is_caustic(path)};
+  const double pdf = share_.paths > 0 ? sampler_.density(path) : 0;
+  add(splat_of(path), weight * share_.luminance(path.target(), pdf));
+}
+
+void FilmObserver::add(Splat splat, double weight) {
+  splat.contribution *= static_cast<float>(weight);
+  splats_[count_] = splat;
   offsets_[count_] = rng_.next_vec2();
   if (++count_ == kBatch) flush();
 }

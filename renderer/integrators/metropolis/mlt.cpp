@@ -40,10 +40,11 @@ class Mlt : public Integrator {
 
   void render_pass(uint32_t pass, Film& film, const PassContext& context) override {
     chains_.follow(context.guides);
-    pass_.render(pass, film, context, chains_.list(), [&](Rng path_rng, Rng chain_rng) {
+    pass_.seeding().follow(context.guides);
+    pass_.render(pass, film, context, chains_.list(), [&](size_t i, Rng path_rng, Rng chain_rng) {
       Path path;
       pass_.seeding().sampler().sample(path, path_rng);
-      return MarkovChain(chains_.mutations(), std::move(path), chain_rng);
+      chains_.start(i, std::move(path), chain_rng);
     });
   }
 

@@ -31,8 +31,10 @@ class Pssmlt : public Integrator {
       : scene_(std::move(scene)), settings_(settings), pass_(scene_, settings_) {}
 
   void render_pass(uint32_t pass, Film& film, const PassContext& context) override {
-    pass_.render(pass, film, context, chains_, [&](Rng path_rng, Rng chain_rng) {
-      return PrimaryChain(pass_.seeding().sampler(), path_rng, chain_rng, settings_.large_steps);
+    pass_.render(pass, film, context, chains_, [&](size_t i, Rng path_rng, Rng chain_rng) {
+      if (i == chains_.size())
+        chains_.emplace_back(pass_.seeding().sampler(), settings_.large_steps);
+      chains_[i].start(path_rng, chain_rng);
     });
   }
 

@@ -69,7 +69,8 @@ ImportanceMaps::ImportanceMaps(const PhotonMappingPass& setup, const Settings& s
                                Parallel& parallel)
     : scene_(setup.scene), estimate_(setup.global) {
   estimate_.neighbors = settings.neighbors;
-  estimate_.max_distance = 2 * setup.scene.bounds().radius();
+  // Farther than photons are looked for nothing needs to be known: light paths alone leave photons
+  // there, and the search for k neighbours is quick where hardly any particles are.
   estimate_.kernel = Kernel::Constant;
   estimate_.oversearch = 4;
   constexpr size_t kPathsPerTask = 1024;
@@ -105,8 +106,11 @@ Color ImportanceMaps::seen_directly(const PathVertex& vertex, const Scattering& 
   PathVertex unit = vertex;
   unit.throughput = Color(1);
   const auto connection = connect_to_lens(scene_.camera(), unit, scattering, Vec2(0.5f));
-  const bool seen = connection && !scene_.occluded(connection->shadow_ray);
-  return seen ? connection->contribution : Color(0);
+  if (!connection) return Color(0);
+  // Sharp events are not among those that leave photons.
+  const Vec3 to_lens = connection->shadow_ray.direction;
+  const bool counts = !estimate_.sharp(vertex, scattering, to_lens);
+  return counts && !scene_.occluded(connection->shadow_ray) ? connection->contribution : Color(0);
 }
 
 }  // namespace guidelight

@@ -11,7 +11,7 @@ namespace guidelight {
 namespace {
 
 struct MpsSettings : PhotonMappingSettings {
-  int mutations = 200000;  // per pass
+  int mutations = 100000;  // per pass
   int chains = 32;
   int seed_paths = 40000;         // per pass
   int importance_paths = 100000;  // in the first pass
@@ -31,7 +31,7 @@ struct MpsSettings : PhotonMappingSettings {
 
   MpsSettings() {
     alpha = 0.8f;
-    light_paths = 50000;
+    light_paths = 20000;
   }
   std::vector<Parameter> parameters() override;
   std::unique_ptr<IntegratorSettings> clone() const override {
@@ -75,9 +75,9 @@ std::vector<Parameter> MpsSettings::parameters() {
 
 /// Photons need three segments at least: those of direct light are sampled.
 PathLengths chain_lengths(const MpsSettings& settings) {
-  constexpr int kLongest = 64;
   constexpr int kShortest = 3;
-  const int max = settings.max_length < 0 ? kLongest : std::min(settings.max_length, kLongest);
+  const int max =
+      settings.max_length < 0 ? kLongestPath : std::min(settings.max_length, kLongestPath);
   return {std::max(settings.min_length, kShortest), max};
 }
 
@@ -98,7 +98,7 @@ class Mps : public Integrator {
         sharp_(settings.sharpness),
         leaves_photon_([this](const Path& path) { return photon_site(path, sharp_).has_value(); }),
         seeding_(*scene_, lengths_, leaves_photon_),
-        chains_(*scene_, lengths_, weights_of(settings)) {}
+        chains_(*scene_, lengths_, weights_of(settings), leaves_photon_) {}
 
   void render_pass(uint32_t pass, Film& film, const PassContext& context) override {
     const PhotonMappingPass setup(*scene_, settings_, pass, context.seed);
@@ -114,6 +114,7 @@ class Mps : public Integrator {
  private:
   PassPhotons trace(const PhotonMappingPass& setup, const PassContext& context) {
     chains_.follow(context.guides);
+    seeding_.follow(context.guides);
     seeding_.draw(settings_.seed_paths, setup.seed, setup.pass, *context.parallel);
     if (!seeding_.can_start()) return EmissionStage::trace_all(setup, *context.parallel);
     start_chains(setup);
@@ -143,22 +144,17 @@ class Mps : public Integrator {
     return EmissionStage::trace_all(
         setup, parallel,
         [&](const PathVertex& vertex, const Scattering& scattering, bool for_caustic_map) {
-          return power.of_light_path(vertex, scattering, for_caustic_map);
+          const Color importance = power.importance(vertex, scattering, for_caustic_map);
+          return power.of_light_path(vertex.throughput, importance);
         });
   }
 
   /// Chains of every round start anew, so that no round repeats the faults of the one before.
   void start_chains(const PhotonMappingPass& setup) {
     const size_t count = settings_.chains;
-    std::vector<MarkovChain>& chains = chains_.list();
     for (size_t i = 0; i < count; ++i) {
-      const Rng rng(setup.seed ^ kChainStream, setup.pass, i);
-      Path start = seeding_.start_path(i, count);
-      if (i < chains.size()) {
-        chains[i].restart(std::move(start), rng);
-      } else {
-        chains.emplace_back(chains_.mutations(), std::move(start), rng, leaves_photon_);
-      }
+      chains_.start(i, seeding_.start_path(i, count),
+                    Rng(setup.seed ^ kChainStream, setup.pass, i));
     }
   }
 

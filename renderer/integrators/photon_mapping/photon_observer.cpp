@@ -29,10 +29,11 @@ std::optional<PhotonSite> photon_site(const Path& path, const SharpScattering& s
   return first > 1 ? std::optional(PhotonSite{first, true}) : std::nullopt;
 }
 
-PathVertex PhotonObserver::vertex_at(const Path& path, int i) {
+PathVertex PhotonObserver::vertex_at(const Path& path, int i) const {
   PathVertex vertex{};
   vertex.point = path.points[i].point;
   vertex.wo = -path.points[i - 1].direction;
+  vertex.medium = path.medium(setup_.scene, i - 1);
   vertex.length = i;
   vertex.survival = survival_probability(vertex.point);
   return vertex;
@@ -55,26 +56,29 @@ void PhotonObserver::operator()(const Path& path, double weight) {
   const PathVertex vertex = vertex_at(path, site->vertex);
   const uint64_t key = cell(vertex, site->caustic);
   const auto [place, is_new] = places_.try_emplace(key, static_cast<uint32_t>(deposits_.size()));
-  if (is_new) {
-    const Color power = state_power(path, *site, vertex);
-    deposits_.push_back({vertex, site->caustic, power * static_cast<float>(weight), power});
-    return;
-  }
+  if (is_new) deposits_.push_back({vertex, site->caustic, importance_at(vertex, site->caustic)});
   Deposit& deposit = deposits_[place->second];
+  // What the state carries may differ all the same: vertices nearer to the light may be others.
   const bool arrives_alike = deposit.vertex.point.position == vertex.point.position &&
                              deposit.vertex.wo == vertex.wo &&
                              deposit.vertex.length == vertex.length;
-  const Color power = arrives_alike ? deposit.power_per_weight : state_power(path, *site, vertex);
-  const Color added = power * static_cast<float>(weight);
+  const Color importance =
+      arrives_alike ? deposit.importance : importance_at(vertex, site->caustic);
+  const Color added = state_power(path, *site, importance) * static_cast<float>(weight);
   deposit.power += added;
   if (!arrives_alike && rng_.next_float() * luminance(deposit.power) < luminance(added)) {
     deposit.vertex = vertex;
-    deposit.power_per_weight = power;
+    deposit.importance = importance;
   }
 }
 
+Color PhotonObserver::importance_at(const PathVertex& vertex, bool caustic) const {
+  const Scattering scattering(vertex.point, vertex.wo, TransportMode::Importance);
+  return power_.importance(vertex, scattering, caustic);
+}
+
 Color PhotonObserver::state_power(const Path& path, const PhotonSite& site,
-                                  const PathVertex& vertex) const {
+                                  Color importance) const {
   glm::dvec3 f(1.0);                    // f_map: what arrives
   double pdf = path.pdf_from_light(0);  // of a light path that leaves the same photon
   for (int i = 0; i < site.vertex; ++i) {
@@ -83,8 +87,7 @@ Color PhotonObserver::state_power(const Path& path, const PhotonSite& site,
     pdf *= path.pdf_from_light(i + 1);
     if (i > 0) pdf *= survival_probability(x.point);
   }
-  const Scattering scattering(vertex.point, vertex.wo, TransportMode::Importance);
-  return power_.of_state(f, pdf, vertex, scattering, site.caustic);
+  return power_.of_state(f, pdf, importance);
 }
 
 PassPhotons PhotonObserver::photons() const {

@@ -38,15 +38,16 @@ class PhotonObserver {
   struct Deposit {
     PathVertex vertex;
     bool caustic;
-    Color power{0};             // sum over states
-    Color power_per_weight{0};  // of states that arrive as `vertex` says
+    Color importance;  // of light that arrives as `vertex` says
+    Color power{0};    // sum over states
   };
 
   /// Hash of the cell that a photon falls into.
   uint64_t cell(const PathVertex& vertex, bool caustic) const;
   /// Power of a state of weight 1.
-  Color state_power(const Path& path, const PhotonSite& site, const PathVertex& vertex) const;
-  static PathVertex vertex_at(const Path& path, int i);
+  Color state_power(const Path& path, const PhotonSite& site, Color importance) const;
+  Color importance_at(const PathVertex& vertex, bool caustic) const;
+  PathVertex vertex_at(const Path& path, int i) const;
 
   const PhotonMappingPass& setup_;
   const PhotonPower& power_;

@@ -18,18 +18,24 @@ class PhotonPower {
   PhotonPower(const ImportanceMaps& importance, double scale, int light_paths)
       : importance_(importance), scale_(scale), light_paths_(light_paths) {}
 
+  /// I at a light vertex.
+  Color importance(const PathVertex& vertex, const Scattering& scattering,
+                   bool for_caustic_map) const {
+    return for_caustic_map ? importance_.of_caustic(vertex, scattering)
+                           : importance_.of_global(vertex, scattering);
+  }
+
   /// Of a state of weight 1. `pdf` is the density of a light path that leaves the same photon, in
   /// the measure of `f`.
-  Color of_state(const glm::dvec3& f, double pdf, const PathVertex& vertex,
-                 const Scattering& scattering, bool for_caustic_map) const;
-  /// Of a light path's vertex.
-  Color of_light_path(const PathVertex& vertex, const Scattering& scattering,
-                      bool for_caustic_map) const;
+  Color of_state(const glm::dvec3& f, double pdf, Color importance) const;
+  /// Of a light path's vertex with this throughput: f over its density.
+  Color of_light_path(Color carried, Color importance) const;
 
  private:
   /// N/B · Y(f ⊙ I)
-  double chain_density(Color f, const PathVertex& vertex, const Scattering& scattering,
-                       bool for_caustic_map) const;
+  double chain_density(Color f, Color importance) const {
+    return luminance(f * importance) / scale_;
+  }
 
   const ImportanceMaps& importance_;
   double scale_;

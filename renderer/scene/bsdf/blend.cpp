@@ -80,8 +80,6 @@ class Blend final : public Bsdf {
     return event;
   }
 
-  static bool is_same_event(Vec3 a, Vec3 b) { return length_squared(a - b) < 1e-10f; }
-
   FloatTexture weight_;
   BsdfPointer first_;
   BsdfPointer second_;

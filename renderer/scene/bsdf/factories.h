@@ -41,6 +41,9 @@ BsdfPointer make_bsdf(const NullBsdf& description, const BsdfContext& context);
 BsdfPointer make_bsdf(const NormalMapBsdf& description, const BsdfContext& context);
 BsdfPointer make_bsdf(const BumpMapBsdf& description, const BsdfContext& context);
 
+/// Whether two specular events of one lobe, of different parts of a BSDF, go the same way.
+inline bool is_same_event(Vec3 a, Vec3 b) { return length_squared(a - b) < 1e-10f; }
+
 /// A random number that chose an event of probability p by u < p (or ≥), stretched to be used
 /// again.
 inline float reuse_below(float u, float p) { return std::min(u / p, kOneMinusEpsilon); }

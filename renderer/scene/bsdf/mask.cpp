@@ -5,12 +5,14 @@
 namespace guidelight {
 namespace {
 
-/// A surface with holes too small to see. Where the nested BSDF has a straight or refracted delta
-/// lobe of its own, specular() reports the likelier of the two.
+/// A surface with holes too small to see. Where the nested BSDF refracts in another direction than
+/// straight on, specular() reports the likelier of the two.
 class Mask final : public Bsdf {
  public:
   Mask(FloatTexture opacity, BsdfPointer nested)
-      : opacity_(std::move(opacity)), nested_(std::move(nested)) {}
+      : opacity_(std::move(opacity)),
+        nested_(std::move(nested)),
+        nested_passes_(nested_->lobes() & kLobeDeltaTransmission) {}
 
   BsdfEvaluation evaluate(const SurfacePoint& point, Vec3 wo, Vec3 wi) const override {
     const BsdfEvaluation nested = nested_->evaluate(point, wo, wi);
@@ -21,11 +23,21 @@ class Mask final : public Bsdf {
   std::optional<BsdfSample> sample(const SurfacePoint& point, Vec3 wo, float u_lobe,
                                    Vec2 u) const override {
     const float covered = opacity(point);
+    std::optional<BsdfSample> drawn;
     if (u_lobe >= covered) {
-      return BsdfSample{-wo, Color(1.0f), 1 - covered, 1.0f, kLobeDeltaTransmission};
+      drawn = BsdfSample{-wo, Color(1.0f), 1 - covered, 1.0f, kLobeDeltaTransmission};
+    } else {
+      drawn = nested_->sample(point, wo, reuse_below(u_lobe, covered), u);
+      if (drawn) drawn->pdf *= covered;
     }
-    auto drawn = nested_->sample(point, wo, reuse_below(u_lobe, covered), u);
-    if (drawn) drawn->pdf *= covered;
+    // Straight on there may be two ways.
+    if (nested_passes_ && drawn && drawn->lobe == kLobeDeltaTransmission) {
+      const std::optional<SpecularEvent> event = specular(point, wo, drawn->lobe);
+      if (event && is_same_event(event->wi, drawn->wi)) {
+        drawn->pdf = event->probability;
+        drawn->weight = event->value / event->probability;
+      }
+    }
     return drawn;
   }
 
@@ -38,8 +50,13 @@ class Mask final : public Bsdf {
       event->probability *= covered;
     }
     const float open = 1 - covered;
-    if (lobe == kLobeDeltaTransmission && open > (event ? event->probability : 0.0f)) {
-      return SpecularEvent{-wo, Color(open), open};
+    if (lobe == kLobeDeltaTransmission) {
+      if (event && is_same_event(event->wi, -wo)) {
+        event->value += open;
+        event->probability += open;
+      } else if (open > (event ? event->probability : 0.0f)) {
+        return SpecularEvent{-wo, Color(open), open};
+      }
     }
     return event && event->probability > 0 ? event : std::nullopt;
   }
@@ -61,6 +78,7 @@ class Mask final : public Bsdf {
 
   FloatTexture opacity_;
   BsdfPointer nested_;
+  bool nested_passes_;
 };
 
 }  // namespace

@@ -82,7 +82,8 @@ Blocks run_chains(const Scene& scene, const MutationSet& set, uint64_t seed, int
   Film film(kSide, kSide, scene.camera().film().filter);
   film.prepare_splats();
   film.add_splat_count(1);
-  FilmObserver observer(film, total / kSeeds / chains / steps, Rng(seed, 3, 0));
+  FilmObserver observer(film, {.normalization = total / kSeeds / chains / steps}, sampler,
+                        Rng(seed, 3, 0));
   for (int c = 0; c < chains; ++c) {
     const uint32_t chosen = start.sample((c + Rng(seed, 1, c).next_float()) / chains).index;
     Rng rng(seed, 0, chosen);

@@ -74,6 +74,8 @@ std::vector<Case> all_cases() {
       {"mask_plastic", chain(plastic(0, kGgx), MaskBsdf{.opacity = {0.7f}, .nested = 0})},
       {"mask_rough_dielectric",
        chain(glass(0.3f, 0.3f, kGgx), MaskBsdf{.opacity = {0.7f}, .nested = 0})},
+      {"mask_thin_dielectric", chain(ThinDielectricBsdf{.int_ior = 1.5f, .ext_ior = 1},
+                                     MaskBsdf{.opacity = {0.7f}, .nested = 0})},
       {"twosided", chain(red, phong, TwoSidedBsdf{.front = 0, .back = 1})},
       {"twosided_mask", chain(plastic(0.2f, kGgx), TwoSidedBsdf{.front = 0, .back = 0},
                               MaskBsdf{.opacity = {0.4f}, .nested = 1})},
