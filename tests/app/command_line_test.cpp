@@ -205,6 +205,15 @@ TEST_F(CommandLine, says_why_it_failed_in_one_line_with_status_1) {
   EXPECT_EQ(word, "precious");
 }
 
+TEST_F(CommandLine, a_guide_from_nowhere_has_status_1) {
+  const std::string trace = "guides trace '" + scene() + "' ";
+  for (const std::string way :
+       {"--from 0,0,0 --to 0,0,0", "--from nan,0,0 --to 0,0,0", "--from 1e30,0,0 --to 0,0,0",
+        "--from 0,0,0 --direction nan,0,0", "--from 0,0,0 --direction inf,0,0"}) {
+    EXPECT_EQ(run(trace + way).status, 1) << way;
+  }
+}
+
 TEST_F(CommandLine, bad_arguments_have_status_2) {
   EXPECT_EQ(run("render").status, 2);
   EXPECT_EQ(run("render '" + scene() + "'").status, 2) << "nothing to write to";
