@@ -129,6 +129,16 @@ TEST_F(CommandLine, an_interrupt_writes_what_is_there) {
   EXPECT_LT(std::stod(read_metadata(path("part.exr")).at("seconds")), 30);
 }
 
+TEST_F(CommandLine, a_checkpoint_that_cannot_be_saved_loses_no_picture) {
+  fs::create_directory(folder_ / "gone");
+  const Outcome outcome =
+      render("-o kept.exr --time 2 --checkpoint gone/state", "(sleep 1; rmdir gone) &");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.text, HasSubstr("gone/state"));
+  ASSERT_TRUE(fs::exists(path("kept.exr"))) << outcome.text;
+  EXPECT_GE(std::stod(read_metadata(path("kept.exr")).at("seconds")), 2);
+}
+
 TEST_F(CommandLine, a_checkpoint_is_resumed_to_the_same_picture) {
   ASSERT_EQ(render("-o whole.exr --float --spp 6").status, 0);
   ASSERT_EQ(render("-o half.exr --spp 3 --checkpoint state").status, 0);
