@@ -37,6 +37,40 @@ TEST(MitsubaDocument, DefaultsCountInsideOtherElements) {
   EXPECT_EQ(scene.film.height, 4);
 }
 
+TEST(MitsubaDocument, VariablesDoNotGrowWithoutEnd) {
+  std::string body = R"(<default name="a0" value="0123456789"/>)";
+  for (int i = 1; i < 9; ++i) {
+    body += fmt::format(R"(<default name="a{}" value=")", i);
+    for (int copy = 0; copy < 10; ++copy) body += fmt::format("$a{} ", i - 1);
+    body += R"("/>)";
+  }
+  EXPECT_THAT(mitsuba_error(body),
+              HasSubstr("scene.xml:2: the variables grow to more than 16 MiB"));
+}
+
+TEST(MitsubaDocument, IncludesDoNotGrowWithoutEnd) {
+  const TemporaryFolder folder;
+  folder.write("more.xml",
+               "<scene version=\"3.0.0\"><!--" + std::string(4 << 20, '.') + "--></scene>");
+  std::string body;
+  for (int i = 0; i < 40; ++i) body += "<include filename=\"more.xml\"/>\n";
+  try {
+    read_mitsuba(folder, body);
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("includes have more than 128 MiB"));
+  }
+}
+
+TEST(MitsubaDocument, ShapesAreNotRepeatedWithoutEnd) {
+  std::string body = R"(<shape type="sphere" id="s0"/>)";
+  for (int i = 1; i < 40; ++i) {
+    body += fmt::format(R"(<shape type="merge" id="s{0}"><ref id="s{1}"/><ref id="s{1}"/></shape>)",
+                        i, i - 1);
+  }
+  EXPECT_THAT(mitsuba_error(body), HasSubstr("repeat shapes more than 100000 times"));
+}
+
 TEST(MitsubaDocument, TheLongestVariableIsReplaced) {
   const SceneDescription scene = read_mitsuba(R"(
     <default name="r" value="1"/><default name="res" value="12"/><default name="w" value="$res0"/>
