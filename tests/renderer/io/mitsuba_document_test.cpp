@@ -71,6 +71,17 @@ TEST(MitsubaDocument, ShapesAreNotRepeatedWithoutEnd) {
   EXPECT_THAT(mitsuba_error(body), HasSubstr("repeat shapes more than 100000 times"));
 }
 
+TEST(MitsubaDocument, NumbersBeyondDoublesAreNoZero) {
+  const auto with_radius = [](const std::string& text) {
+    return R"(<shape type="sphere"><float name="radius" value=")" + text + R"("/></shape>)";
+  };
+  EXPECT_THAT(mitsuba_error(with_radius("1e400")), HasSubstr("'1e400'"));
+  EXPECT_THAT(mitsuba_error(with_radius("-1e400")), HasSubstr("is not a finite number"));
+  const SceneDescription scene = read_mitsuba(
+      R"(<emitter type="point"><point name="position" x="1e-400" y="1" z="2"/></emitter>)");
+  EXPECT_EQ(std::get<PointEmitter>(scene.emitters.at(0).model).position, Vec3(0, 1, 2));
+}
+
 TEST(MitsubaDocument, TheLongestVariableIsReplaced) {
   const SceneDescription scene = read_mitsuba(R"(
     <default name="r" value="1"/><default name="res" value="12"/><default name="w" value="$res0"/>
