@@ -65,6 +65,19 @@ void keep(std::vector<T>& list, const std::vector<uint32_t>& kept) {
 
 void repair_normals(Mesh& mesh) {
   for (const std::array<uint32_t, 3>& triangle : mesh.triangles) {
+void keep_vertices(Mesh& mesh, const std::vector<uint32_t>& kept) {
+  keep(mesh.positions, kept);
+  keep(mesh.normals, kept);
+  keep(mesh.uvs, kept);
+  keep(mesh.colors, kept);
+}
+
+void renumber(Mesh& mesh, const std::vector<uint32_t>& renumbered) {
+  for (std::array<uint32_t, 3>& triangle : mesh.triangles) {
+    for (uint32_t& index : triangle) index = renumbered[index];
+  }
+}
+
     for (const uint32_t i : triangle) {
       Vec3& normal = mesh.normals[i];
       const float squared = length_squared(normal);
@@ -98,15 +111,26 @@ void join_equal_vertices(Mesh& mesh) {
     if (is_new) kept.push_back(i);
     renumbered[i] = found->second;
   }
-  keep(mesh.positions, kept);
-  keep(mesh.normals, kept);
-  keep(mesh.uvs, kept);
-  keep(mesh.colors, kept);
-  for (std::array<uint32_t, 3>& triangle : mesh.triangles) {
-    for (uint32_t& index : triangle) index = renumbered[index];
+  keep_vertices(mesh, kept);
+  renumber(mesh, renumbered);
+}
+
+void drop_unused_vertices(Mesh& mesh) {
+  std::vector<uint32_t> renumbered(mesh.positions.size(), 0);  // first: 1 where used
+  for (const std::array<uint32_t, 3>& triangle : mesh.triangles) {
+    for (const uint32_t index : triangle) renumbered[index] = 1;
+  }
+  std::vector<uint32_t> kept;
+  for (uint32_t i = 0; i < renumbered.size(); ++i) {
+    if (!renumbered[i]) continue;
+    renumbered[i] = static_cast<uint32_t>(kept.size());
+    kept.push_back(i);
   }
 }
 
+  if (kept.size() == mesh.positions.size()) return;
+  keep_vertices(mesh, kept);
+  renumber(mesh, renumbered);
 void compute_creased_normals(Mesh& mesh, float max_angle) {
   const float min_cosine = std::cos(max_angle * kPi / 180);
   struct Corner {

@@ -15,6 +15,9 @@ void compute_smooth_normals(Mesh& mesh);
 /// Merges vertices that are equal in everything, so that they are shared by index.
 void join_equal_vertices(Mesh& mesh);
 
+/// Drops vertices that no triangle names, whose indices must be in range.
+void drop_unused_vertices(Mesh& mesh);
+
 /// Splits vertices so that only triangles whose planes differ by less than `max_angle` [degrees]
 /// share one, and computes normals.
 void compute_creased_normals(Mesh& mesh, float max_angle);

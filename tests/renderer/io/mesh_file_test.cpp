@@ -131,6 +131,17 @@ TEST(MeshTools, CreasesAppearAboveTheAngle) {
   EXPECT_NEAR(std::abs(roof.normals[roof.triangles[0][0]].z), 1, 1e-6f);
 }
 
+TEST(MeshTools, UnusedVerticesAreDropped) {
+  Mesh mesh;
+  mesh.positions = {{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {8, 8, 8}, {0, 1, 0}};
+  mesh.uvs = {{9, 9}, {0, 0}, {1, 0}, {8, 8}, {0, 1}};
+  mesh.triangles = {{4, 1, 2}};
+  drop_unused_vertices(mesh);
+  EXPECT_THAT(mesh.positions, ::testing::ElementsAre(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)));
+  EXPECT_THAT(mesh.uvs, ::testing::ElementsAre(Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)));
+  EXPECT_EQ(mesh.triangles[0], (std::array<uint32_t, 3>{2, 0, 1}));
+}
+
 TEST(MeshTools, CubeFacesOutwards) {
   const auto cube = make_cube_mesh();
   ASSERT_EQ(cube->triangles.size(), 12u);
