@@ -19,7 +19,8 @@ void join_equal_vertices(Mesh& mesh);
 void drop_unused_vertices(Mesh& mesh);
 
 /// Splits vertices so that only triangles whose planes differ by less than `max_angle` [degrees]
-/// share one, and computes normals.
+/// share one, and computes normals. Around a vertex of many triangles, planes that differ by less
+/// than a degree count as one.
 void compute_creased_normals(Mesh& mesh, float max_angle);
 
 /// Throws Error naming `name` for positions that are not finite, indices out of range, lists of
