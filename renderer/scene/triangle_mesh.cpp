@@ -137,9 +137,7 @@ TriangleMesh::Face TriangleMesh::measure_face(const std::array<uint32_t, 3>& tri
 }
 
 size_t TriangleMesh::bytes() const {
-  return sizeof(*this) + std::span(mesh_->triangles).size_bytes() +
-         std::span(mesh_->uvs).size_bytes() + std::span(mesh_->colors).size_bytes() +
-         std::span(positions_).size_bytes() + std::span(normals_).size_bytes() +
+  return sizeof(*this) + std::span(positions_).size_bytes() + std::span(normals_).size_bytes() +
          std::span(faces_).size_bytes() + sizeof(float) * triangle_distribution_.size();
 }
 

@@ -54,6 +54,29 @@ TEST(SceneBuilder, ErrorsNameTheFileOfTheScene) {
   EXPECT_THAT(error_of(scene), testing::StartsWith("the crop window"));
 }
 
+TEST(SceneBuilder, SharedMeshesCountOnceAndWhole) {
+  Mesh mesh;
+  mesh.positions.assign(100000, Vec3(0));
+  mesh.positions[1] = {1, 0, 0};
+  mesh.positions[2] = {0, 1, 0};
+  mesh.normals.assign(100000, Vec3(0, 0, 1));
+  mesh.uvs.assign(100000, Vec2(0));
+  mesh.triangles = {{0, 1, 2}};
+  const size_t shared = 100000 * (2 * sizeof(Vec3) + sizeof(Vec2));
+  const size_t own = 100000 * sizeof(Vec3);  // positions in world space; the normals are flat
+  SceneDescription scene;
+  scene.shapes.resize(1);
+  scene.shapes[0].geometry = MeshShape{std::make_shared<const Mesh>(mesh)};
+  const auto bytes = [&] {
+    return static_cast<double>(
+        Scene::build(std::make_shared<SceneDescription>(scene))->statistics().bytes);
+  };
+  const double small = 0.05 * static_cast<double>(shared);
+  EXPECT_NEAR(bytes(), static_cast<double>(shared + own), small);
+  scene.shapes.resize(3, scene.shapes[0]);
+  EXPECT_NEAR(bytes(), static_cast<double>(shared + 3 * own), small);
+}
+
 /// A shape, light or camera so far away that rays to it are no rays any more.
 TEST(SceneBuilder, WhatIsTooFarAwayIsNamed) {
   const Mat4 far = glm::translate(Mat4(1), Vec3(0, 2e9f, 0));
