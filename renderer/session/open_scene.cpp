@@ -25,8 +25,11 @@ bool is_available(const std::string& name) {
 
 /// Tells versions of a file apart: FNV-1a over its bytes, hexadecimal; zeros if it cannot be read.
 std::string hash_of_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  uint64_t hash = file ? 0xcbf29ce484222325ull : 0;
+  std::error_code ignored;
+  std::ifstream file;
+  // Opening a pipe would wait for its other end.
+  if (std::filesystem::is_regular_file(path, ignored)) file.open(path, std::ios::binary);
+  uint64_t hash = file.is_open() ? 0xcbf29ce484222325ull : 0;
   std::array<char, 1 << 16> bytes;
   while (file.read(bytes.data(), bytes.size()), file.gcount() > 0) {
     for (std::streamsize i = 0; i < file.gcount(); ++i) {
