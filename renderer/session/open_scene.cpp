@@ -18,8 +18,12 @@ namespace {
 constexpr std::array<std::string_view, 5> kPathTracing = {"path", "volpath", "volpath_simple",
                                                           "volpathmis", "direct"};
 
+bool is_path_tracing(const std::string& name) {
+  return name.empty() || std::ranges::find(kPathTracing, name) != kPathTracing.end();
+}
+
 bool is_available(const std::string& name) {
-  return name.empty() || std::ranges::find(kPathTracing, name) != kPathTracing.end() ||
+  return is_path_tracing(name) ||
          std::ranges::any_of(integrators(), [&](const auto& info) { return info.name == name; });
 }
 
@@ -56,6 +60,11 @@ std::shared_ptr<SceneDescription> open_scene(const std::string& path,
   if (!is_available(hints.integrator)) {
     scene->warnings.push_back(fmt::format(
         "{}: the integrator '{}' is not available; 'path' stands in.", path, hints.integrator));
+  } else if (!is_path_tracing(hints.integrator)) {
+    scene->warnings.push_back(
+        fmt::format("{}: the scene asks for the integrator '{}'; renders begin with 'path' unless "
+                    "another is chosen.",
+                    path, hints.integrator));
   }
   return scene;
 }

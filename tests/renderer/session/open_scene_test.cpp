@@ -31,6 +31,11 @@ TEST(OpenScene, warns_of_an_integrator_that_is_not_there) {
   EXPECT_THAT(open_with_integrator("volpath")->warnings, testing::IsEmpty());
 }
 
+TEST(OpenScene, says_that_another_integrator_of_ours_is_asked_for) {
+  EXPECT_THAT(open_with_integrator("bdpt")->warnings,
+              testing::ElementsAre(testing::HasSubstr("asks for the integrator 'bdpt'")));
+}
+
 TEST(OpenScene, does_not_wait_for_a_pipe) {
   const std::string path = std::filesystem::temp_directory_path() /
                            ("guidelight_pipe_" + std::to_string(getpid()) + ".xml");
