@@ -111,12 +111,16 @@ std::optional<GuidePath> TraceCommand::trace(const Scene& scene) const {
   const auto choice = reflect ? SpecularChoice::Reflect : SpecularChoice::Refract;
   if (!direction.empty()) {
     const Vec3 towards = vector(direction);
-    if (!(glm::length(towards) > 0)) throw Error("--direction has no length: give it one");
+    const float length = glm::length(towards);
+    if (!(length > 0) || !std::isfinite(length)) {
+      throw Error("--direction has no length: give it one");
+    }
     return trace_guide(scene, vector(from), glm::normalize(towards), bounces, choice);
   }
   std::vector<Vec3> targets;
   for (const auto& target : to) targets.push_back(vector(target));
   if (targets.empty()) throw Error("no way to go: give --direction or --to");
+  if (targets[0] == vector(from)) throw Error("--to is where --from is: give another point");
   return trace_guide_through(scene, vector(from), targets, choice);
 }
 

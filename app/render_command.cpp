@@ -130,7 +130,9 @@ void RenderCommand::run() const {
     export_techniques(techniques, job, *snapshot);
     fmt::print("{}\n", techniques);
   }
-  if (failed) throw Error(snapshot->error);  // what had been rendered until then is not lost
+  // What had been rendered until then is not lost.
+  if (failed) throw Error(snapshot->error);
+  if (!snapshot->save_error.empty()) throw Error(snapshot->save_error);
 }
 
 }  // namespace

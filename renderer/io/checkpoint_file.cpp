@@ -1,6 +1,7 @@
 #include "renderer/io/checkpoint_file.h"
 
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -107,6 +108,8 @@ Checkpoint read_checkpoint(const std::string& path) {
 
 bool is_checkpoint(const std::string& path) {
   constexpr size_t kBeginning = 1024;  // the keys are in alphabetical order
+  std::error_code ignored;             // opening a pipe would wait for its other end
+  if (!std::filesystem::is_regular_file(path, ignored)) return false;
   std::ifstream file(path, std::ios::binary);
   std::string beginning(kBeginning, ' ');
   file.read(beginning.data(), kBeginning);

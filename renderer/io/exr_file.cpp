@@ -47,6 +47,27 @@ class MemoryStream : public Imf::IStream {
   size_t position_ = 0;
 };
 
+/// The library's own files swallow the errors of what they write last.
+class MemoryOutput : public Imf::OStream {
+ public:
+  explicit MemoryOutput(const std::string& name) : Imf::OStream(name.c_str()) {}
+
+  void write(const char buffer[], int count) override {
+    const auto size = static_cast<size_t>(count);
+    if (bytes_.size() < position_ + size) bytes_.resize(position_ + size);
+    std::memcpy(bytes_.data() + position_, buffer, size);
+    position_ += size;
+  }
+  uint64_t tellp() override { return position_; }
+  void seekp(uint64_t position) override { position_ = position; }
+
+  const std::string& bytes() const { return bytes_; }
+
+ private:
+  std::string bytes_;
+  size_t position_ = 0;
+};
+
 /// The library allocates what an attribute claims before it reads it. Attributes are name, type
 /// (both zero-terminated), size and value; an empty name ends a header.
 void check_attribute_sizes(std::string_view bytes) {
@@ -184,7 +205,7 @@ std::vector<Imath::half> to_half(std::span<const float> values) {
   return halves;
 }
 
-void write_exr_file(const std::string& path, const ImageLayers& picture, bool half_precision) {
+std::string encode_exr(const std::string& path, const ImageLayers& picture, bool half_precision) {
   const Image& first = picture.layers.front().second;
   Imf::Header header(first.width(), first.height());
   header.compression() = Imf::ZIP_COMPRESSION;
@@ -209,9 +230,13 @@ void write_exr_file(const std::string& path, const ImageLayers& picture, bool ha
                                         sample_size * channels * image.width()));
     }
   }
-  Imf::OutputFile file(path.c_str(), header, 0);
-  file.setFrameBuffer(frame);
-  file.writePixels(first.height());
+  MemoryOutput output(path);
+  {
+    Imf::OutputFile file(output, header, 0);
+    file.setFrameBuffer(frame);
+    file.writePixels(first.height());
+  }  // which completes the table of lines
+  return output.bytes();
 }
 
 }  // namespace
@@ -275,9 +300,13 @@ void write_exr(const std::string& path, const ImageLayers& picture, bool half_pr
           path, name);
     }
   }
-  write_atomically(path, [&](const std::string& temporary) {
-    write_exr_file(temporary, picture, half_precision);
-  });
+  std::string bytes;
+  try {
+    bytes = encode_exr(path, picture, half_precision);
+  } catch (const std::exception& error) {
+    throw Error("Cannot write '{}': {}; render it again.", path, error.what());
+  }
+  write_file_atomically(path, bytes);
 }
 
 }  // namespace guidelight

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <map>
+#include <span>
 #include <unordered_map>
 
 #include "renderer/error.h"
@@ -63,6 +65,19 @@ void keep(std::vector<T>& list, const std::vector<uint32_t>& kept) {
   list.shrink_to_fit();
 }
 
+void keep_vertices(Mesh& mesh, const std::vector<uint32_t>& kept) {
+  keep(mesh.positions, kept);
+  keep(mesh.normals, kept);
+  keep(mesh.uvs, kept);
+  keep(mesh.colors, kept);
+}
+
+void renumber(Mesh& mesh, const std::vector<uint32_t>& renumbered) {
+  for (std::array<uint32_t, 3>& triangle : mesh.triangles) {
+    for (uint32_t& index : triangle) index = renumbered[index];
+  }
+}
+
 void repair_normals(Mesh& mesh) {
   for (const std::array<uint32_t, 3>& triangle : mesh.triangles) {
     for (const uint32_t i : triangle) {
@@ -98,21 +113,68 @@ void join_equal_vertices(Mesh& mesh) {
     if (is_new) kept.push_back(i);
     renumbered[i] = found->second;
   }
-  keep(mesh.positions, kept);
-  keep(mesh.normals, kept);
-  keep(mesh.uvs, kept);
-  keep(mesh.colors, kept);
-  for (std::array<uint32_t, 3>& triangle : mesh.triangles) {
-    for (uint32_t& index : triangle) index = renumbered[index];
-  }
+  keep_vertices(mesh, kept);
+  renumber(mesh, renumbered);
 }
+
+void drop_unused_vertices(Mesh& mesh) {
+  std::vector<uint32_t> renumbered(mesh.positions.size(), 0);  // first: 1 where used
+  for (const std::array<uint32_t, 3>& triangle : mesh.triangles) {
+    for (const uint32_t index : triangle) renumbered[index] = 1;
+  }
+  std::vector<uint32_t> kept;
+  for (uint32_t i = 0; i < renumbered.size(); ++i) {
+    if (!renumbered[i]) continue;
+    renumbered[i] = static_cast<uint32_t>(kept.size());
+    kept.push_back(i);
+  }
+  if (kept.size() == mesh.positions.size()) return;
+  keep_vertices(mesh, kept);
+  renumber(mesh, renumbered);
+}
+
+namespace {
+
+struct Corner {
+  uint32_t triangle;
+  int corner;
+};
+
+/// Triangles around a vertex that lie in one plane, or nearly.
+struct Facet {
+  Vec3 normal;    // unit, of the first
+  Vec3 weighted;  // sum of normals times angles
+};
+
+/// The facets around a vertex; each triangle is one unless there are many, all of which would have
+/// to be compared with all.
+std::vector<Facet> facets_around(const Mesh& mesh, const std::vector<Vec3>& face_normals,
+                                 std::span<const Corner> corners) {
+  constexpr size_t kMany = 256;
+  constexpr float kCells = 64;  // per unit of the normal, below one degree
+  std::vector<Facet> facets;
+  std::map<std::array<int, 3>, size_t> by_cell;
+  for (const Corner& corner : corners) {
+    const Vec3 normal = face_normals[corner.triangle];
+    const Vec3 weighted =
+        normal * corner_angle(mesh, mesh.triangles[corner.triangle], corner.corner);
+    if (corners.size() > kMany) {
+      const glm::ivec3 cell(glm::round(kCells * normal));
+      const auto [known, is_new] = by_cell.try_emplace({cell.x, cell.y, cell.z}, facets.size());
+      if (!is_new) {
+        facets[known->second].weighted += weighted;
+        continue;
+      }
+    }
+    facets.push_back({normal, weighted});
+  }
+  return facets;
+}
+
+}  // namespace
 
 void compute_creased_normals(Mesh& mesh, float max_angle) {
   const float min_cosine = std::cos(max_angle * kPi / 180);
-  struct Corner {
-    uint32_t triangle;
-    int corner;
-  };
   std::vector<std::vector<Corner>> around(mesh.positions.size());
   std::vector<Vec3> face_normals;
   for (uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -124,13 +186,13 @@ void compute_creased_normals(Mesh& mesh, float max_angle) {
   Mesh split;
   std::vector<std::array<uint32_t, 3>> triangles = mesh.triangles;
   for (uint32_t vertex = 0; vertex < around.size(); ++vertex) {
+    const std::vector<Facet> facets = facets_around(mesh, face_normals, around[vertex]);
     for (const Corner& own : around[vertex]) {
       Vec3 normal(0);
-      for (const Corner& other : around[vertex]) {
-        if (glm::dot(face_normals[own.triangle], face_normals[other.triangle]) < min_cosine)
-          continue;
-        normal += face_normals[other.triangle] *
-                  corner_angle(mesh, mesh.triangles[other.triangle], other.corner);
+      for (const Facet& facet : facets) {
+        if (glm::dot(face_normals[own.triangle], facet.normal) >= min_cosine) {
+          normal += facet.weighted;
+        }
       }
       triangles[own.triangle][own.corner] = static_cast<uint32_t>(split.positions.size());
       split.positions.push_back(mesh.positions[vertex]);

@@ -15,8 +15,12 @@ void compute_smooth_normals(Mesh& mesh);
 /// Merges vertices that are equal in everything, so that they are shared by index.
 void join_equal_vertices(Mesh& mesh);
 
+/// Drops vertices that no triangle names, whose indices must be in range.
+void drop_unused_vertices(Mesh& mesh);
+
 /// Splits vertices so that only triangles whose planes differ by less than `max_angle` [degrees]
-/// share one, and computes normals.
+/// share one, and computes normals. Around a vertex of many triangles, planes that differ by less
+/// than a degree count as one.
 void compute_creased_normals(Mesh& mesh, float max_angle);
 
 /// Throws Error naming `name` for positions that are not finite, indices out of range, lists of

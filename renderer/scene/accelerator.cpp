@@ -11,6 +11,7 @@
 
 #include "renderer/error.h"
 #include "renderer/scene/analytic_shape.h"
+#include "renderer/scene/reach.h"
 #include "renderer/scene/triangle_mesh.h"
 
 namespace guidelight {
@@ -184,7 +185,25 @@ Hit make_hit(float t, uint32_t geometry, uint32_t primitive, uint32_t instance, 
   return hit;
 }
 
-/// Copies up to kPacket rays into a packet; lanes beyond are switched off.
+/// Embree ends the process for a ray that it calls invalid: not a number, or so large that its
+/// square is not finite. Such rays are not traced.
+bool is_valid(const Ray& ray) {
+  return is_within(ray.origin, kLargestRay) && is_within(ray.direction, kLargestRay) &&
+         !std::isnan(ray.t_max);
+}
+
+/// The same for a packet; without branches, so that all lanes are checked at once.
+template <typename Packet>
+void switch_off_invalid(const Packet& packet, int (&valid)[kPacket]) {
+  const auto is_small = [](float x) { return -static_cast<int>(std::abs(x) <= kLargestRay); };
+  for (size_t i = 0; i < kPacket; ++i) {
+    valid[i] &= is_small(packet.org_x[i]) & is_small(packet.org_y[i]) & is_small(packet.org_z[i]) &
+                is_small(packet.dir_x[i]) & is_small(packet.dir_y[i]) & is_small(packet.dir_z[i]) &
+                -static_cast<int>(packet.tfar[i] == packet.tfar[i]);
+  }
+}
+
+/// Copies up to kPacket rays into a packet; lanes beyond, and of invalid rays, are switched off.
 template <typename Packet>
 void load(std::span<const Ray> rays, Packet& packet, int (&valid)[kPacket]) {
   for (size_t i = 0; i < kPacket; ++i) {
@@ -203,6 +222,7 @@ void load(std::span<const Ray> rays, Packet& packet, int (&valid)[kPacket]) {
     packet.id[i] = 0;
     packet.flags[i] = 0;
   }
+  switch_off_invalid(packet, valid);
 }
 
 template <typename RtcRay>
@@ -221,6 +241,7 @@ void load(const Ray& ray, RtcRay& out) {
 }  // namespace
 
 Hit Accelerator::intersect(const Ray& ray) const {
+  if (!is_valid(ray)) return {};
   RTCRayHit query;
   load(ray, query.ray);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -236,6 +257,7 @@ Hit Accelerator::intersect(const Ray& ray) const {
 }
 
 bool Accelerator::occluded(const Ray& ray) const {
+  if (!is_valid(ray)) return false;
   RTCRay query;
   load(ray, query);
 #if RTC_VERSION_MAJOR >= 4

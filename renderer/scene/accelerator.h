@@ -25,6 +25,7 @@ class Accelerator {
   /// Builds the hierarchies; queries are allowed from then on. Throws Error if memory runs out.
   void build();
 
+  /// Rays that are not finite, or beyond kLargestRay, meet nothing.
   Hit intersect(const Ray& ray) const;
   bool occluded(const Ray& ray) const;
   /// Batches, traced in packets.

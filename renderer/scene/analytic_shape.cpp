@@ -5,6 +5,7 @@
 #include "renderer/error.h"
 #include "renderer/math/angle.h"
 #include "renderer/sampling/warp.h"
+#include "renderer/scene/reach.h"
 
 namespace guidelight {
 
@@ -292,8 +293,10 @@ Bounds AnalyticShape::bounds() const {
   return bounds;
 }
 
-std::unique_ptr<AnalyticShape> make_analytic_shape(const ShapeDescription& description,
-                                                   const Mat4& to_world) {
+namespace {
+
+std::unique_ptr<AnalyticShape> make_unchecked(const ShapeDescription& description,
+                                              const Mat4& to_world) {
   if (std::holds_alternative<SphereShape>(description.geometry)) {
     return std::make_unique<Sphere>(description, to_world);
   }
@@ -304,6 +307,20 @@ std::unique_ptr<AnalyticShape> make_analytic_shape(const ShapeDescription& descr
     return std::make_unique<Cylinder>(description, to_world);
   }
   throw Error("{} is an instance; it has no geometry of its own", shape_label(description));
+}
+
+}  // namespace
+
+std::unique_ptr<AnalyticShape> make_analytic_shape(const ShapeDescription& description,
+                                                   const Mat4& to_world) {
+  auto shape = make_unchecked(description, to_world);
+  const Bounds bounds = shape->bounds();
+  if (!is_within(bounds.lower, kLargestCoordinate) ||
+      !is_within(bounds.upper, kLargestCoordinate)) {
+    throw Error("{} reaches farther than {} from the origin; move or scale it",
+                shape_label(description), kLargestCoordinate);
+  }
+  return shape;
 }
 
 }  // namespace guidelight

@@ -62,8 +62,8 @@ class AnalyticShape : public Shape {
   float area_ = 0;
 };
 
-/// Builds a sphere, disk or cylinder. Throws Error if the transform is singular or not finite, or
-/// if the geometry is none of these.
+/// Builds a sphere, disk or cylinder. Throws Error if the transform is singular or not finite, if
+/// it goes beyond kLargestCoordinate, or if the geometry is none of these.
 std::unique_ptr<AnalyticShape> make_analytic_shape(const ShapeDescription& description,
                                                    const Mat4& to_world);
 

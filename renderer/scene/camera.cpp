@@ -4,6 +4,7 @@
 #include "renderer/math/axes.h"
 #include "renderer/sampling/warp.h"
 #include "renderer/scene/field_of_view.h"
+#include "renderer/scene/reach.h"
 
 namespace guidelight {
 
@@ -78,6 +79,20 @@ Camera::Camera(const CameraDescription& camera, const FilmDescription& film)
     lens_radius_ = camera.aperture_radius;
     inverse_lens_area_ = kInvPi / sqr(lens_radius_);
     inverse_focus_distance_ = 1 / camera.focus_distance;
+  }
+  check_reach();
+}
+
+void Camera::check_reach() const {
+  const Vec2 corner = glm::max(glm::abs(plane_of(Vec2(-margin_))),
+                               glm::abs(plane_of(Vec2(width_, height_) + margin_)));
+  const float slope = corner.x + corner.y + lens_radius_ * inverse_focus_distance_;
+  const Vec3 reach(slope, lens_radius_, description_.near_clip * (1 + slope));
+  if (!is_within(position_, kLargestCoordinate) || !is_within(reach, kLargestCoordinate)) {
+    throw Error(
+        "the camera's position, near clip distance, lens or picture reaches farther than {} from "
+        "the origin: give smaller numbers",
+        kLargestCoordinate);
   }
 }
 

@@ -38,8 +38,9 @@ struct CameraConnection {
 /// copies are cheap.
 class Camera {
  public:
-  /// Throws Error for a film without pixels, a crop window outside it, a singular transform, or a
-  /// field of view, aperture, focus or clip distance that means nothing.
+  /// Throws Error for a film without pixels, a crop window outside it, a singular transform, a
+  /// field of view, aperture, focus or clip distance that means nothing, or rays that would start
+  /// beyond kLargestCoordinate.
   Camera(const CameraDescription& camera, const FilmDescription& film);
 
   int width() const { return width_; }
@@ -89,6 +90,7 @@ class Camera {
   float pixel_size_at_unit_distance() const { return -plane_per_pixel_.x; }
 
  private:
+  void check_reach() const;
   Vec2 plane_of(Vec2 raster) const { return plane_origin_ + raster * plane_per_pixel_; }
   std::optional<Vec2> raster_of_plane(Vec2 plane) const;
   Vec3 to_local(Vec3 w) const { return w * axes_; }

@@ -1,5 +1,7 @@
 #include "renderer/scene/scene.h"
 
+#include <set>
+
 #include "renderer/scene/accelerator.h"
 #include "renderer/scene/ray_log.h"
 
@@ -91,6 +93,24 @@ const std::string& Scene::bsdf_name(uint32_t shape) const {
   return content_->shapes[shape].bsdf_name;
 }
 
+namespace {
+
+/// Of the meshes of some shapes, each once.
+size_t bytes_of_meshes(std::span<const ShapeDescription> shapes, std::set<const Mesh*>& counted) {
+  size_t bytes = 0;
+  for (const ShapeDescription& shape : shapes) {
+    const auto* geometry = std::get_if<MeshShape>(&shape.geometry);
+    if (!geometry || !counted.insert(geometry->mesh.get()).second) continue;
+    const Mesh& mesh = *geometry->mesh;
+    bytes += std::span(mesh.positions).size_bytes() + std::span(mesh.normals).size_bytes() +
+             std::span(mesh.uvs).size_bytes() + std::span(mesh.colors).size_bytes() +
+             std::span(mesh.triangles).size_bytes();
+  }
+  return bytes;
+}
+
+}  // namespace
+
 Scene::Statistics Scene::statistics() const {
   Statistics result;
   result.shapes = content_->shapes.size();
@@ -100,6 +120,11 @@ Scene::Statistics Scene::statistics() const {
   for (const ShapeBinding& binding : content_->shapes) {
     result.triangles += binding.shape->triangle_count();
     result.bytes += binding.shape->bytes();
+  }
+  std::set<const Mesh*> counted;
+  result.bytes += bytes_of_meshes(description().shapes, counted);
+  for (const ShapeGroup& group : description().groups) {
+    result.bytes += bytes_of_meshes(group.shapes, counted);
   }
   for (const TextureDescription& texture : description().textures) {
     const auto* bitmap = std::get_if<BitmapTexture>(&texture.model);

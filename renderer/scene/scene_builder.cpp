@@ -3,6 +3,7 @@
 
 #include "renderer/error.h"
 #include "renderer/scene/accelerator.h"
+#include "renderer/scene/reach.h"
 #include "renderer/scene/scene.h"
 #include "renderer/scene/surface_needs.h"
 
@@ -106,11 +107,26 @@ class Scene::Builder {
           "{}:{}: the transform of instance '{}' is singular: scale every axis by more than 0",
           description().path, shape.line, shape.name);
     }
+    check_scale(instance, shape);
     for (int axis = 0; axis < 3; ++axis) {
       instance.scale = std::max(instance.scale, glm::length(Vec3(shape.to_world[axis])));
     }
     content_->instances.push_back(instance);
     instance_groups_.push_back(group);
+  }
+
+  /// Rays must stay rays in the space of the group.
+  void check_scale(const InstanceBinding& instance, const ShapeDescription& shape) const {
+    constexpr float kLargest = 1e18f;  // whose square is finite
+    Vec3 reach = glm::abs(Vec3(instance.to_local[3]));
+    for (int axis = 0; axis < 3; ++axis) {
+      reach += kLargestRay * glm::abs(Vec3(instance.to_local[axis]));
+    }
+    if (is_within(reach, kLargest)) return;
+    throw Error(
+        "{}:{}: the instance '{}' is too small or too far away for rays: scale the shapes of its "
+        "group",
+        description().path, shape.line, shape.name);
   }
 
   void make_accelerator() {
@@ -131,7 +147,13 @@ class Scene::Builder {
       for (int corner = 0; corner < 8; ++corner) {
         const Vec3 p(corner & 1 ? b.upper.x : b.lower.x, corner & 2 ? b.upper.y : b.lower.y,
                      corner & 4 ? b.upper.z : b.lower.z);
-        content_->bounds.extend(transform_point(to_world, p));
+        const Vec3 world = transform_point(to_world, p);
+        if (!is_within(world, kLargestCoordinate)) {
+          throw Error("{}: an instance of '{}' reaches farther than {} from the origin: move it",
+                      description().path, description().groups[instance_groups_[i]].name,
+                      kLargestCoordinate);
+        }
+        content_->bounds.extend(world);
       }
     }
     content_->accelerator->build();

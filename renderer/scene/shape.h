@@ -59,7 +59,7 @@ class Shape {
   virtual float area() const = 0;
   virtual Bounds bounds() const = 0;
   virtual size_t triangle_count() const { return 0; }
-  virtual size_t bytes() const { return 0; }  // of memory, approximate
+  virtual size_t bytes() const { return 0; }  // of memory, about; without a Mesh it may share
 };
 
 /// Builds the run-time form of a mesh, sphere, disk or cylinder with the extra transform `parent`

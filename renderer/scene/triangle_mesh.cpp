@@ -4,14 +4,12 @@
 
 #include "renderer/error.h"
 #include "renderer/sampling/warp.h"
+#include "renderer/scene/reach.h"
 #include "renderer/scene/shape_transform.h"
 
 namespace guidelight {
 
 namespace {
-
-/// Coordinates beyond this overflow in squares of cross products.
-constexpr float kLargestCoordinate = 1e9f;
 
 void check_mesh(const ShapeDescription& description, const Mesh& mesh) {
   const std::string label = shape_label(description);
@@ -73,7 +71,7 @@ TriangleMesh::TriangleMesh(const ShapeDescription& description, const Mat4& to_w
   positions_.reserve(mesh_->positions.size() + kPadding);
   for (const Vec3 p : mesh_->positions) {
     const Vec3 world = transform_point(to_world, p);
-    if (!(max_component(glm::abs(world)) <= kLargestCoordinate)) {
+    if (!is_within(world, kLargestCoordinate)) {
       throw Error(
           "{} has a vertex that is not finite or farther than {} from the origin; repair or scale "
           "it",
@@ -139,9 +137,7 @@ TriangleMesh::Face TriangleMesh::measure_face(const std::array<uint32_t, 3>& tri
 }
 
 size_t TriangleMesh::bytes() const {
-  return sizeof(*this) + std::span(mesh_->triangles).size_bytes() +
-         std::span(mesh_->uvs).size_bytes() + std::span(mesh_->colors).size_bytes() +
-         std::span(positions_).size_bytes() + std::span(normals_).size_bytes() +
+  return sizeof(*this) + std::span(positions_).size_bytes() + std::span(normals_).size_bytes() +
          std::span(faces_).size_bytes() + sizeof(float) * triangle_distribution_.size();
 }
 

@@ -18,15 +18,22 @@ namespace {
 constexpr std::array<std::string_view, 5> kPathTracing = {"path", "volpath", "volpath_simple",
                                                           "volpathmis", "direct"};
 
+bool is_path_tracing(const std::string& name) {
+  return name.empty() || std::ranges::find(kPathTracing, name) != kPathTracing.end();
+}
+
 bool is_available(const std::string& name) {
-  return name.empty() || std::ranges::find(kPathTracing, name) != kPathTracing.end() ||
+  return is_path_tracing(name) ||
          std::ranges::any_of(integrators(), [&](const auto& info) { return info.name == name; });
 }
 
 /// Tells versions of a file apart: FNV-1a over its bytes, hexadecimal; zeros if it cannot be read.
 std::string hash_of_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  uint64_t hash = file ? 0xcbf29ce484222325ull : 0;
+  std::error_code ignored;
+  std::ifstream file;
+  // Opening a pipe would wait for its other end.
+  if (std::filesystem::is_regular_file(path, ignored)) file.open(path, std::ios::binary);
+  uint64_t hash = file.is_open() ? 0xcbf29ce484222325ull : 0;
   std::array<char, 1 << 16> bytes;
   while (file.read(bytes.data(), bytes.size()), file.gcount() > 0) {
     for (std::streamsize i = 0; i < file.gcount(); ++i) {
@@ -53,6 +60,11 @@ std::shared_ptr<SceneDescription> open_scene(const std::string& path,
   if (!is_available(hints.integrator)) {
     scene->warnings.push_back(fmt::format(
         "{}: the integrator '{}' is not available; 'path' stands in.", path, hints.integrator));
+  } else if (!is_path_tracing(hints.integrator)) {
+    scene->warnings.push_back(
+        fmt::format("{}: the scene asks for the integrator '{}'; renders begin with 'path' unless "
+                    "another is chosen.",
+                    path, hints.integrator));
   }
   return scene;
 }

@@ -9,7 +9,7 @@
 namespace guidelight {
 
 /// Reads a scene file for rendering: as read_scene, with a warning added if the file asks for an
-/// integrator that is not among ours and the path tracer stands in, its path made absolute, and its
+/// integrator for which the path tracer stands in, its path made absolute, and its
 /// hash taken.
 /// Throws Error as read_scene does.
 std::shared_ptr<SceneDescription> open_scene(

@@ -67,8 +67,8 @@ class ProgressiveRender {
         // numbers.
         save_on_request(film, pass + 1);
         if (observer_.wants_unfinished()) {
-          show(*film, SessionState::Idle);
           save(film, pass + 1);
+          show(*film, SessionState::Idle);
         }
         throw;
       }
@@ -79,10 +79,10 @@ class ProgressiveRender {
       status_.chains = integrator->chain_statistics();
       status_.passes = pass + 1;
       const bool finished = target_reached(*film);
+      if (finished || since_saved_.seconds() >= job_.save_interval) save(film, pass + 1);
       if (finished || pass == first_pass || publishing_is_due()) {
         show(*film, finished ? SessionState::Finished : SessionState::Rendering);
       }
-      if (finished || since_saved_.seconds() >= job_.save_interval) save(film, pass + 1);
       save_on_request(film, pass + 1);
       if (finished) rest_until_there_is_more_to_do(film, pass + 1);
     }
@@ -103,9 +103,15 @@ class ProgressiveRender {
     context.guides = guides ? GuideMixture::build(job_.scene, *guides) : nullptr;
   }
 
+  /// What cannot be saved now may be the next time; the render is not lost for it.
   void save(const std::shared_ptr<const Film>& film, uint32_t next_pass) {
     if (!job_.save) return;
-    job_.save({film, next_pass, seconds()});
+    try {
+      job_.save({film, next_pass, seconds()});
+      status_.save_error.clear();
+    } catch (const std::exception& error) {
+      status_.save_error = error.what();
+    }
     since_saved_.restart();
   }
 

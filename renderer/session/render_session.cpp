@@ -91,12 +91,18 @@ class RenderSession::Impl : private RenderObserver {
       } catch (const Stopped&) {
         // Given up on request; what there was has been published.
       } catch (const std::exception& error) {
-        Snapshot failed;
-        failed.state = SessionState::Failed;
-        failed.error = error.what();
-        publish(std::move(failed));
+        publish_failure(error.what());
       }
     }
+  }
+
+  /// The picture of the job stays, if it has one.
+  void publish_failure(const std::string& reason) {
+    Snapshot failed = *snapshot();
+    if (failed.job != current_job_) failed = {};
+    failed.state = SessionState::Failed;
+    failed.error = reason;
+    publish(std::move(failed));
   }
 
   /// Waits for the next job; empty when the session ends.

@@ -55,7 +55,8 @@ struct RenderJob {
   /// Goes on from here instead of from nothing; the film must have the scene's size.
   std::optional<RenderProgress> resume_from;
   /// Called on the render thread every `save_interval` seconds, and at the end, to save the
-  /// progress. An exception it throws ends the job as failed.
+  /// progress. If it throws, rendering goes on and it is called again; Snapshot::save_error says
+  /// why.
   SaveProgress save;
   double save_interval = 60;
 };

@@ -30,6 +30,7 @@ struct Snapshot {
   double relative_error = 0;      // Film::estimated_relative_error
   float progress = 0;             // towards the nearest target, 0..1; 0 without targets
   std::string error;              // why it failed, if it did
+  std::string save_error;         // why RenderJob::save failed, if it did so the last time
   std::shared_ptr<const Layers> layers = std::make_shared<const Layers>();
 
   /// The photons of a recent pass; null unless asked for, and for methods without photons.

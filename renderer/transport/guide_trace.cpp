@@ -1,6 +1,7 @@
 #include "renderer/transport/guide_trace.h"
 
 #include "renderer/scene/bsdf/scattering.h"
+#include "renderer/scene/reach.h"
 #include "renderer/transport/guide_check.h"
 
 namespace guidelight {
@@ -70,6 +71,7 @@ std::optional<GuidePath> trace_segments(const Scene& scene, Vec3 start, Vec3 dir
                                         size_t count, SpecularChoice choice,
                                         NextDirection next_direction) {
   GuidePath guide;
+  if (!is_within(start, kLargestCoordinate) || !is_finite(direction)) return std::nullopt;
   const auto origin = find_light(scene, start, direction);
   if (!origin) return std::nullopt;
   guide.vertices.push_back({origin->point.position});

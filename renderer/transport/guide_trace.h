@@ -25,13 +25,14 @@ std::optional<GuideSegment> trace_guide_segment(const Scene& scene, Ray ray, Spe
 /// A guide that starts at a point of a light and is traced in a unit direction. Where it meets a
 /// scattering surface before its `bounces` segments are used up it goes on as from a mirror.
 /// Segments count from one scattering vertex to the next. It may be shorter; empty if no light at
-/// `start` shines that way or if it meets nothing. `direction` points away from the light; for
-/// lights at infinity `start` is any point on its way.
+/// `start` shines that way, if it meets nothing, or for numbers that are not finite. `direction`
+/// points away from the light; for lights at infinity `start` is any point on its way.
 std::optional<GuidePath> trace_guide(const Scene& scene, Vec3 start, Vec3 direction, int bounces,
                                      SpecularChoice choice = SpecularChoice::Refract);
 
 /// The same, each segment aimed from the last scattering vertex at one of `targets`; specular
-/// surfaces on the way are followed and may lead elsewhere. Shorter where a segment meets nothing.
+/// surfaces on the way are followed and may lead elsewhere. Shorter where a segment meets nothing;
+/// empty if the first target is where the guide starts.
 std::optional<GuidePath> trace_guide_through(const Scene& scene, Vec3 start,
                                              std::span<const Vec3> targets,
                                              SpecularChoice choice = SpecularChoice::Refract);

@@ -129,6 +129,16 @@ TEST_F(CommandLine, an_interrupt_writes_what_is_there) {
   EXPECT_LT(std::stod(read_metadata(path("part.exr")).at("seconds")), 30);
 }
 
+TEST_F(CommandLine, a_checkpoint_that_cannot_be_saved_loses_no_picture) {
+  fs::create_directory(folder_ / "gone");
+  const Outcome outcome =
+      render("-o kept.exr --time 2 --checkpoint gone/state", "(sleep 1; rmdir gone) &");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.text, HasSubstr("gone/state"));
+  ASSERT_TRUE(fs::exists(path("kept.exr"))) << outcome.text;
+  EXPECT_GE(std::stod(read_metadata(path("kept.exr")).at("seconds")), 2);
+}
+
 TEST_F(CommandLine, a_checkpoint_is_resumed_to_the_same_picture) {
   ASSERT_EQ(render("-o whole.exr --float --spp 6").status, 0);
   ASSERT_EQ(render("-o half.exr --spp 3 --checkpoint state").status, 0);
@@ -203,6 +213,15 @@ TEST_F(CommandLine, says_why_it_failed_in_one_line_with_status_1) {
   std::string word;
   kept >> word;
   EXPECT_EQ(word, "precious");
+}
+
+TEST_F(CommandLine, a_guide_from_nowhere_has_status_1) {
+  const std::string trace = "guides trace '" + scene() + "' ";
+  for (const std::string way :
+       {"--from 0,0,0 --to 0,0,0", "--from nan,0,0 --to 0,0,0", "--from 1e30,0,0 --to 0,0,0",
+        "--from 0,0,0 --direction nan,0,0", "--from 0,0,0 --direction inf,0,0"}) {
+    EXPECT_EQ(run(trace + way).status, 1) << way;
+  }
 }
 
 TEST_F(CommandLine, bad_arguments_have_status_2) {

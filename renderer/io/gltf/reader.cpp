@@ -210,6 +210,7 @@ class Reader {
     }
     mesh.triangles = triangles_of(indices, mode);
     check_mesh(mesh, fmt::format("{}.primitives[{}]", mesh_name, number));
+    drop_unused_vertices(mesh);  // many primitives may share one list of them
     return known = std::make_shared<Mesh>(std::move(mesh));
   }
 

@@ -15,9 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMaxDepth = 100;      // of nested elements
-constexpr int kMaxIncludes = 1000;  // in one scene
-constexpr size_t kMaxSceneBytes = size_t{128} << 20;
+constexpr int kMaxDepth = 100;                          // of nested elements
+constexpr int kMaxIncludes = 1000;                      // in one scene
+constexpr size_t kMaxSceneBytes = size_t{128} << 20;    // with what it includes, in all
+constexpr size_t kMaxVariableBytes = size_t{16} << 20;  // put in for variables, in all
 
 /// Line numbers of byte offsets in one file.
 class Lines {
@@ -78,6 +79,11 @@ class Loader {
 
   void load_file(const std::string& path, Node& parent) {
     const std::string text = read_file_bytes(path, kMaxSceneBytes);
+    scene_bytes_ += text.size();
+    if (scene_bytes_ > kMaxSceneBytes) {
+      throw Error("{}: the scene and what it includes have more than {} MiB; include less.", path,
+                  kMaxSceneBytes >> 20);
+    }
     const File file{std::make_shared<const std::string>(path), Lines(text)};
     pugi::xml_document xml;
     const pugi::xml_parse_result result = xml.load_buffer(text.data(), text.size());
@@ -196,7 +202,7 @@ class Loader {
   }
 
   /// Replaces $name by the longest variable that matches.
-  std::string replace_variables(const std::string& text, const Source& source) const {
+  std::string replace_variables(const std::string& text, const Source& source) {
     std::string result;
     for (size_t i = 0; i < text.size();) {
       if (text[i] != '$') {
@@ -212,7 +218,13 @@ class Loader {
         throw Error("{}: the variable '${}' is not defined; add a <default> or give -D {}=VALUE.",
                     source.to_string(), name, name);
       }
-      result += variables_.at(name.substr(0, length));
+      const std::string& value = variables_.at(name.substr(0, length));
+      variable_bytes_ += value.size();
+      if (variable_bytes_ > kMaxVariableBytes) {
+        throw Error("{}: the variables grow to more than {} MiB of text; shorten '${}'.",
+                    source.to_string(), kMaxVariableBytes >> 20, name);
+      }
+      result += value;
       i += 1 + length;
     }
     return result;
@@ -262,6 +274,8 @@ class Loader {
   std::vector<Alias> aliases_;
   std::vector<std::string> active_files_;  // being included, outermost first
   int include_count_ = 0;
+  size_t scene_bytes_ = 0;     // read
+  size_t variable_bytes_ = 0;  // put in
   std::map<const Node*, Visit> visits_;
 };
 

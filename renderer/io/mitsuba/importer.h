@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <tuple>
 
@@ -104,6 +105,8 @@ class Importer {
   std::map<const Node*, int> groups_;
   std::map<std::tuple<std::string, bool>, std::shared_ptr<const Image>> images_;  // path, raw
   std::map<std::string, std::shared_ptr<const Mesh>> meshes_;  // by path and settings
+  std::set<const Node*> seen_shapes_;
+  int repeated_shapes_ = 0;
   bool has_sensor_ = false;
 };
 

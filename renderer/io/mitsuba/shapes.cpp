@@ -10,6 +10,9 @@
 namespace guidelight::mitsuba {
 namespace {
 
+/// A few containers that refer to each other twice can repeat a shape without end.
+constexpr int kMaxRepeatedShapes = 100000;
+
 /// Unit sphere, disk or cylinder to one of these sizes.
 Mat4 sphere_transform(Properties& p) {
   const float radius = p.number({"radius"}, 1);
@@ -173,6 +176,10 @@ std::optional<ShapeDescription> Importer::drawable(const Node& node, ShapeDescri
 
 /// One shape, or the parts of a container; nothing for a group, which is there to be copied.
 std::vector<ShapeDescription> Importer::shapes_of(const Node& node) {
+  if (!seen_shapes_.insert(&node).second && ++repeated_shapes_ > kMaxRepeatedShapes) {
+    throw Error("{}: containers repeat shapes more than {} times; use instances of a shapegroup.",
+                node.source.to_string(), kMaxRepeatedShapes);
+  }
   std::vector<ShapeDescription> shapes;
   if (node.type == "shapegroup") {
     group(node);

@@ -1,6 +1,8 @@
 #include "renderer/io/mitsuba/values.h"
 
 #include <charconv>
+#include <cstdlib>
+#include <string>
 
 namespace guidelight::mitsuba {
 namespace {
@@ -26,9 +28,12 @@ std::optional<double> parse_number(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  // A number too small or too large for a double is still a number.
-  const bool number = error == std::errc() || error == std::errc::result_out_of_range;
-  if (!number || end != text.data() + text.size()) return std::nullopt;
+  // A number too small or too large for a double is still a number: zero or infinite.
+  const bool out_of_range = error == std::errc::result_out_of_range;
+  if ((error != std::errc() && !out_of_range) || end != text.data() + text.size()) {
+    return std::nullopt;
+  }
+  if (out_of_range) value = std::strtod(std::string(text).c_str(), nullptr);
   return value;
 }
 

@@ -1,5 +1,6 @@
 #include "renderer/error.h"
 #include "renderer/scene/light/lights.h"
+#include "renderer/scene/reach.h"
 
 namespace guidelight {
 
@@ -11,8 +12,14 @@ struct Maker {
 
   using Lights = std::vector<std::unique_ptr<Light>>;
 
-  Lights operator()(const PointEmitter& e) const { return one(make_point_light(e)); }
-  Lights operator()(const SpotEmitter& e) const { return one(make_spot_light(e, context)); }
+  Lights operator()(const PointEmitter& e) const {
+    check_position(e.position);
+    return one(make_point_light(e));
+  }
+  Lights operator()(const SpotEmitter& e) const {
+    check_position(e.to_world[3]);
+    return one(make_spot_light(e, context));
+  }
   Lights operator()(const DirectionalEmitter& e) const {
     return one(make_directional_light(e, context));
   }
@@ -20,8 +27,16 @@ struct Maker {
   Lights operator()(const EnvironmentEmitter& e) const {
     return one(make_environment_light(e, context));
   }
-  Lights operator()(const ProjectorEmitter& e) const { return one(make_projector_light(e)); }
+  Lights operator()(const ProjectorEmitter& e) const {
+    check_position(e.to_world[3]);
+    return one(make_projector_light(e));
+  }
   Lights operator()(const SunSkyEmitter& e) const { return make_sun_sky_lights(e, context); }
+
+  static void check_position(Vec3 position) {
+    if (is_within(position, kLargestCoordinate)) return;
+    throw Error("it is not finite or farther than {} from the origin; move it", kLargestCoordinate);
+  }
 
   static Lights one(std::unique_ptr<Light> light) {
     Lights lights;

@@ -77,11 +77,11 @@ TEST(AtomicFile, AFullDeviceIsAnErrorAndStaysADevice) {
 
 /// A limit on the size of files stands for the full disk: writes fail half-way in the same manner.
 template <typename Write>
-int exit_code_with_little_space(const Write& write) {
+int exit_code_with_little_space(const Write& write, rlim_t space = 4096) {
   const pid_t child = ::fork();
   if (child == 0) {
     std::signal(SIGXFSZ, SIG_IGN);
-    const rlimit limit{4096, 4096};
+    const rlimit limit{space, space};
     ::setrlimit(RLIMIT_FSIZE, &limit);
     try {
       write();
@@ -114,6 +114,20 @@ TEST(AtomicFile, AFullDiskNeverDestroysAnExistingPicture) {
   EXPECT_EQ(exit_code_with_little_space([&] { write_exr(exr, layers); }), 7);
   for (const std::string& path : {text, png, exr}) EXPECT_EQ(file_bytes(path), "old") << path;
   EXPECT_EQ(entries(folder), 3u);
+}
+
+/// Small enough for the buffer of a stream, which is written when the file is closed.
+TEST(AtomicFile, AFullDiskNeverDestroysASmallPicture) {
+  const TemporaryFolder folder;
+  const std::string exr = folder.write("a.exr", "old");
+  const ImageLayers layers{{{"beauty", Image(4, 4, 3)}}, {}};
+  for (const rlim_t space : {0, 200, 300}) {
+    EXPECT_EQ(exit_code_with_little_space([&] { write_exr(exr, layers); }, space), 7) << space;
+    EXPECT_EQ(file_bytes(exr), "old") << space;
+  }
+  EXPECT_EQ(entries(folder), 1u);
+  write_exr(exr, layers);
+  EXPECT_EQ(read_exr(exr).layers.size(), 1u);
 }
 
 }  // namespace

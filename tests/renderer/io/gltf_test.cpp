@@ -208,6 +208,37 @@ TEST(Gltf, PunctualLights) {
   EXPECT_EQ(std::get<DirectionalEmitter>(sun_scene.emitters.at(0).model).direction, Vec3(0, 0, -1));
 }
 
+TEST(Gltf, PrimitivesKeepOnlyTheVerticesTheyUse) {
+  // Two triangles with a list of indices each, from one list of six vertices.
+  std::string data;
+  const auto add = [&](const auto& value) {
+    data.append(reinterpret_cast<const char*>(&value), sizeof(value));
+  };
+  for (int i = 0; i < 6; ++i) add(Vec3(i, i % 3 == 1, i % 3 == 2));
+  for (uint32_t i = 0; i < 6; ++i) add(i);
+  const TemporaryFolder folder;
+  folder.write("data.bin", data);
+  const SceneDescription scene = read_scene(folder.write("scene.gltf", R"({
+    "asset": {"version": "2.0"},
+    "buffers": [{"uri": "data.bin", "byteLength": 96}],
+    "bufferViews": [{"buffer": 0, "byteLength": 72},
+                    {"buffer": 0, "byteOffset": 72, "byteLength": 24}],
+    "accessors": [
+      {"bufferView": 0, "componentType": 5126, "count": 6, "type": "VEC3"},
+      {"bufferView": 1, "componentType": 5125, "count": 3, "type": "SCALAR"},
+      {"bufferView": 1, "byteOffset": 12, "componentType": 5125, "count": 3, "type": "SCALAR"}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1},
+                               {"attributes": {"POSITION": 0}, "indices": 2}]}],
+    "nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}]})"));
+  ASSERT_EQ(scene.shapes.size(), 2u);
+  for (size_t i = 0; i < 2; ++i) {
+    const Mesh& mesh = *std::get<MeshShape>(scene.shapes[i].geometry).mesh;
+    EXPECT_EQ(mesh.positions.size(), 3u);
+    EXPECT_EQ(mesh.triangles[0], (std::array<uint32_t, 3>{0, 1, 2}));
+    EXPECT_EQ(mesh.positions[0].x, 3.0f * static_cast<float>(i));
+  }
+}
+
 TEST(Gltf, DamageIsNamed) {
   EXPECT_THAT(error_of("{\"asset\":\n\n oops"), HasSubstr("line 3"));
   EXPECT_THAT(error_of(changed("\"2.0\"", "\"1.0\"")), HasSubstr("version '1.0'"));

@@ -131,6 +131,46 @@ TEST(MeshTools, CreasesAppearAboveTheAngle) {
   EXPECT_NEAR(std::abs(roof.normals[roof.triangles[0][0]].z), 1, 1e-6f);
 }
 
+/// A flat disc and a blunt cone below it, each of many triangles around the same vertex.
+Mesh two_fans(uint32_t count) {
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}};
+  for (const float height : {0.0f, -1.0f}) {
+    const auto first = static_cast<uint32_t>(mesh.positions.size());
+    for (uint32_t i = 0; i < count; ++i) {
+      const float phi = 2 * kPi * static_cast<float>(i) / static_cast<float>(count);
+      mesh.positions.emplace_back(std::cos(phi), std::sin(phi), height);
+      mesh.triangles.push_back({0, first + i, first + (i + 1) % count});
+    }
+  }
+  return mesh;
+}
+
+TEST(MeshTools, CreasesAtAVertexOfManyTrianglesAreTheSameAsAtOneOfFew) {
+  for (const uint32_t count : {100u, 20000u}) {
+    Mesh mesh = two_fans(count);
+    compute_creased_normals(mesh, 30);
+    const auto normal = [&](size_t triangle) { return mesh.normals[mesh.triangles[triangle][0]]; };
+    EXPECT_NEAR(glm::distance(normal(0), Vec3(0, 0, 1)), 0, 1e-3f) << count;
+    // The cone's sides, at 45 degrees, are smooth with those next to them, up to 43 degrees round
+    // the axis, and not with the disc. Over these the mean of (cos φ, 1) is (0.909, 1).
+    EXPECT_NEAR(normal(count).z, 0.740f, 0.005f) << count;
+    EXPECT_GT(normal(count).x, 0.5f) << count;
+    EXPECT_LT(normal(count + count / 2).x, -0.5f) << count;
+  }
+}
+
+TEST(MeshTools, UnusedVerticesAreDropped) {
+  Mesh mesh;
+  mesh.positions = {{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {8, 8, 8}, {0, 1, 0}};
+  mesh.uvs = {{9, 9}, {0, 0}, {1, 0}, {8, 8}, {0, 1}};
+  mesh.triangles = {{4, 1, 2}};
+  drop_unused_vertices(mesh);
+  EXPECT_THAT(mesh.positions, ::testing::ElementsAre(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)));
+  EXPECT_THAT(mesh.uvs, ::testing::ElementsAre(Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)));
+  EXPECT_EQ(mesh.triangles[0], (std::array<uint32_t, 3>{2, 0, 1}));
+}
+
 TEST(MeshTools, CubeFacesOutwards) {
   const auto cube = make_cube_mesh();
   ASSERT_EQ(cube->triangles.size(), 12u);

@@ -37,6 +37,51 @@ TEST(MitsubaDocument, DefaultsCountInsideOtherElements) {
   EXPECT_EQ(scene.film.height, 4);
 }
 
+TEST(MitsubaDocument, VariablesDoNotGrowWithoutEnd) {
+  std::string body = R"(<default name="a0" value="0123456789"/>)";
+  for (int i = 1; i < 9; ++i) {
+    body += fmt::format(R"(<default name="a{}" value=")", i);
+    for (int copy = 0; copy < 10; ++copy) body += fmt::format("$a{} ", i - 1);
+    body += R"("/>)";
+  }
+  EXPECT_THAT(mitsuba_error(body),
+              HasSubstr("scene.xml:2: the variables grow to more than 16 MiB"));
+}
+
+TEST(MitsubaDocument, IncludesDoNotGrowWithoutEnd) {
+  const TemporaryFolder folder;
+  folder.write("more.xml",
+               "<scene version=\"3.0.0\"><!--" + std::string(4 << 20, '.') + "--></scene>");
+  std::string body;
+  for (int i = 0; i < 40; ++i) body += "<include filename=\"more.xml\"/>\n";
+  try {
+    read_mitsuba(folder, body);
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("includes have more than 128 MiB"));
+  }
+}
+
+TEST(MitsubaDocument, ShapesAreNotRepeatedWithoutEnd) {
+  std::string body = R"(<shape type="sphere" id="s0"/>)";
+  for (int i = 1; i < 40; ++i) {
+    body += fmt::format(R"(<shape type="merge" id="s{0}"><ref id="s{1}"/><ref id="s{1}"/></shape>)",
+                        i, i - 1);
+  }
+  EXPECT_THAT(mitsuba_error(body), HasSubstr("repeat shapes more than 100000 times"));
+}
+
+TEST(MitsubaDocument, NumbersBeyondDoublesAreNoZero) {
+  const auto with_radius = [](const std::string& text) {
+    return R"(<shape type="sphere"><float name="radius" value=")" + text + R"("/></shape>)";
+  };
+  EXPECT_THAT(mitsuba_error(with_radius("1e400")), HasSubstr("'1e400'"));
+  EXPECT_THAT(mitsuba_error(with_radius("-1e400")), HasSubstr("is not a finite number"));
+  const SceneDescription scene = read_mitsuba(
+      R"(<emitter type="point"><point name="position" x="1e-400" y="1" z="2"/></emitter>)");
+  EXPECT_EQ(std::get<PointEmitter>(scene.emitters.at(0).model).position, Vec3(0, 1, 2));
+}
+
 TEST(MitsubaDocument, TheLongestVariableIsReplaced) {
   const SceneDescription scene = read_mitsuba(R"(
     <default name="r" value="1"/><default name="res" value="12"/><default name="w" value="$res0"/>

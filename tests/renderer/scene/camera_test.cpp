@@ -295,5 +295,22 @@ TEST(Camera, BrokenDescriptionsAreErrors) {
   EXPECT_THROW(Camera(camera, {}), Error);
 }
 
+TEST(Camera, WhatReachesTooFarIsAnError) {
+  const auto expect_error = [](const auto& change) {
+    CameraDescription camera;
+    camera.model = CameraModel::ThinLens;
+    camera.aperture_radius = 0.1f;
+    EXPECT_NO_THROW(Camera(camera, {}));
+    change(camera);
+    EXPECT_THROW(Camera(camera, {}), Error);
+  };
+  expect_error([](CameraDescription& c) { c.to_world[3].x = 1e19f; });
+  expect_error([](CameraDescription& c) { c.near_clip = 1e20f, c.far_clip = 1e21f; });
+  expect_error([](CameraDescription& c) { c.aperture_radius = 1e30f, c.focus_distance = 1e30f; });
+  expect_error([](CameraDescription& c) { c.focus_distance = 1e-30f; });
+  expect_error([](CameraDescription& c) { c.principal_point_offset.x = 1e30f; });
+  expect_error([](CameraDescription& c) { c.principal_point_offset.y = kInfinity; });
+}
+
 }  // namespace
 }  // namespace guidelight

@@ -2,10 +2,14 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
+
+#include "renderer/error.h"
+#include "renderer/io/checkpoint_file.h"
 
 namespace guidelight {
 namespace {
@@ -25,6 +29,22 @@ TEST(OpenScene, warns_of_an_integrator_that_is_not_there) {
   EXPECT_THAT(open_with_integrator("path_sms_ss")->warnings,
               testing::ElementsAre(testing::HasSubstr("'path_sms_ss' is not available")));
   EXPECT_THAT(open_with_integrator("volpath")->warnings, testing::IsEmpty());
+}
+
+TEST(OpenScene, says_that_another_integrator_of_ours_is_asked_for) {
+  EXPECT_THAT(open_with_integrator("bdpt")->warnings,
+              testing::ElementsAre(testing::HasSubstr("asks for the integrator 'bdpt'")));
+}
+
+TEST(OpenScene, does_not_wait_for_a_pipe) {
+  const std::string path = std::filesystem::temp_directory_path() /
+                           ("guidelight_pipe_" + std::to_string(getpid()) + ".xml");
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  ::alarm(10);  // ends the test if it does
+  EXPECT_FALSE(is_checkpoint(path));
+  EXPECT_THROW(open_scene(path), Error);
+  ::alarm(0);
+  std::filesystem::remove(path);
 }
 
 TEST(OpenScene, direct_light_is_paths_of_two_segments) {

@@ -208,6 +208,54 @@ TEST(RenderSession, resumes_to_the_picture_of_an_uninterrupted_render) {
               ::testing::Pointwise(::testing::FloatEq(), whole->layer(Layer::Beauty).data()));
 }
 
+TEST(RenderSession, a_failed_save_loses_nothing_and_is_tried_again) {
+  RenderJob job = room_job(16);
+  job.targets.passes = 20;
+  job.save_interval = 0;
+  std::atomic<int> calls = 0;
+  job.save = [&](const RenderProgress&) {
+    if (++calls < 5) throw Error("the disk is full");
+  };
+  RenderSession session;
+  session.start(job);
+  session.wait();
+  EXPECT_EQ(session.snapshot()->state, SessionState::Finished);
+  EXPECT_EQ(session.snapshot()->passes, 20u);
+  EXPECT_EQ(session.snapshot()->save_error, "") << "the last one was saved";
+  EXPECT_GT(calls, 5);
+
+  job.save = [](const RenderProgress&) { throw Error("the disk is full"); };
+  session.start(job);
+  session.wait();
+  EXPECT_EQ(session.snapshot()->passes, 20u);
+  EXPECT_EQ(session.snapshot()->save_error, "the disk is full");
+
+  job.targets = {};
+  session.start(job);
+  ASSERT_TRUE(eventually([&] { return session.snapshot()->passes > 0; }));
+  session.stop();
+  session.wait();
+  EXPECT_TRUE(session.snapshot()->has_picture());
+  EXPECT_EQ(session.snapshot()->save_error, "the disk is full");
+}
+
+TEST(RenderSession, what_fails_keeps_its_picture) {
+  RenderSession session;
+  const uint64_t number = session.start(room_job(16));
+  ASSERT_TRUE(eventually([&] { return session.snapshot()->passes > 0; }));
+  session.save([](const RenderProgress&) { throw Error("no"); });
+  ASSERT_TRUE(eventually([&] { return session.snapshot()->state == SessionState::Failed; }));
+  EXPECT_EQ(session.snapshot()->error, "no");
+  EXPECT_EQ(session.snapshot()->job, number);
+  EXPECT_TRUE(session.snapshot()->has_picture());
+
+  RenderJob hopeless = room_job(16);
+  hopeless.integrator = "no such";
+  session.start(hopeless);
+  ASSERT_TRUE(eventually([&] { return session.snapshot()->job > number; }));
+  EXPECT_FALSE(session.snapshot()->has_picture()) << "that of another job";
+}
+
 TEST(RenderSession, targets_are_replaced_without_a_restart) {
   RenderSession session;
   const uint64_t number = session.start(room_job(32));

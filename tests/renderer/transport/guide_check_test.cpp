@@ -132,6 +132,17 @@ TEST_F(GuideCheck, PathsAreTracedFromALightInADirection) {
   EXPECT_FALSE(trace_guide(*scene_, start, {0, 1, 0}, 1)) << "nothing above the lamp";
 }
 
+TEST_F(GuideCheck, NoGuideStartsFromNumbersThatAreNone) {
+  const Vec3 down(0, -1, 0);
+  const Vec3 start(0, 0.9f, 0);
+  for (const float bad : {NAN, kInfinity, 1e30f}) {
+    EXPECT_FALSE(trace_guide(*scene_, {bad, 0.9f, 0}, down, 1)) << bad;
+    EXPECT_FALSE(trace_guide_through(*scene_, {bad, 0.9f, 0}, std::vector{Vec3(0)})) << bad;
+  }
+  EXPECT_FALSE(trace_guide(*scene_, start, {NAN, -1, 0}, 1));
+  EXPECT_FALSE(trace_guide_through(*scene_, start, std::vector{start})) << "no way to go";
+}
+
 TEST_F(GuideCheck, GlassReflectsWhereThatIsChosen) {
   const Vec3 start(0, 0.9f, 0);
   const Vec3 towards_ball = glm::normalize(guide_test::kBall + Vec3(0, 0, -0.2f) - start);
