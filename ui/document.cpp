@@ -139,7 +139,7 @@ Camera Document::current_camera() const {
 
 void Document::move_camera(const std::function<void(CameraController&)>& move) {
   if (!has_scene()) return;
-  move(camera_);
+  camera_.move(move);
   restart();
 }
 
@@ -147,7 +147,8 @@ void Document::reset_camera() {
   if (!has_scene()) return;
   const Bounds bounds = scene().bounds();
   const Camera& camera = scene().camera();
-  camera_ = CameraController(camera, glm::length(bounds.center() - camera.position()));
+  camera_ =
+      CameraController(camera, glm::length(bounds.center() - camera.position()), bounds.radius());
   find_pivot();
   restart();
 }

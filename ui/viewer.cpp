@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <exception>
 #include <filesystem>
 #include <thread>
 #include <utility>
@@ -54,7 +55,10 @@ class Viewer {
 
   bool animating() const { return view_.animating() || scout_.animating(); }
   void handle_key(int key, int modifiers, bool is_repeat);
-  void perform(Action action) { guidelight::perform(action, bench_); }
+  void perform(Action action) {
+    attempt([&] { guidelight::perform(action, bench_); });
+  }
+  void attempt(const std::function<void()>& act);
   void show_new_scene();
 
   std::shared_ptr<UiQueue> queue_ = std::make_shared<UiQueue>(&Window::wake);
@@ -104,7 +108,7 @@ Viewer::Viewer(const ViewerOptions& options)
   document_.override_settings(overrides);
   window_.on_key = [this](auto... key) { handle_key(key...); };
   window_.on_drop = [this](const std::vector<std::string>& paths) {
-    if (!paths.empty()) opener_.open(paths.front());
+    if (!paths.empty()) attempt([&] { opener_.open(paths.front()); });
   };
   if (!options.scene_path.empty()) opener_.open(options.scene_path, options.defines);
 }
@@ -116,7 +120,7 @@ void Viewer::run() {
   while (!window_.should_close()) {
     wait_for_next_frame(frame_began);
     frame_began = Clock::now();
-    queue_->run();
+    attempt([this] { queue_->run(); });
     if (!ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive()) document_.seal_edits();
     document_.update(frame_began);
     checkpoints_.update(frame_began);
@@ -130,6 +134,15 @@ void Viewer::run() {
     update_title();
     draw_frame();
     if (on_frame_) on_frame_(std::chrono::duration<double>(Clock::now() - frame_began).count());
+  }
+}
+
+/// What nobody expected to fail is said, and the window stays open.
+void Viewer::attempt(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const std::exception& error) {
+    document_.messages().error(error.what());
   }
 }
 

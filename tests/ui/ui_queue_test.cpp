@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <stdexcept>
 #include <thread>
 
 #include "ui/background_thread.h"
@@ -25,6 +26,17 @@ TEST(UiQueue, RunsInOrderOnTheThreadThatAsks) {
   EXPECT_EQ(order, (std::vector{1, 2}));
   queue.run();
   EXPECT_EQ(order, (std::vector{1, 2, 3}));
+}
+
+TEST(UiQueue, KeepsTheRestWhenOneThrows) {
+  UiQueue queue([] {});
+  bool ran = false;
+  queue.post([] { throw std::runtime_error("no"); });
+  queue.post([&] { ran = true; });
+  EXPECT_THROW(queue.run(), std::runtime_error);
+  EXPECT_FALSE(ran);
+  queue.run();
+  EXPECT_TRUE(ran);
 }
 
 TEST(UiQueue, DropsEverythingOnceClosed) {
