@@ -34,6 +34,11 @@ CameraController::CameraController(const Camera& camera, float pivot_distance, f
       tan_half_height_(0.5f * camera.pixel_size_at_unit_distance() * camera.height()),
       tan_half_width_(0.5f * camera.pixel_size_at_unit_distance() * camera.width()),
       orthographic_(camera.description().model == CameraModel::Orthographic) {
+  if (orthographic_) {  // of a camera of the same lens without scale
+    const float scale = glm::length(Vec3(to_world_[0]));
+    tan_half_height_ /= scale;
+    tan_half_width_ /= scale;
+  }
   world_up_ = closest_axis(up());
   set_pivot_distance(pivot_distance);
   if (std::isfinite(scene_radius) && scene_radius > 0) scene_radius_ = scene_radius;
@@ -67,9 +72,12 @@ float CameraController::view_height() const {
 void CameraController::move(const std::function<void(CameraController&)>& motion) {
   CameraController moved = *this;
   motion(moved);
-  const float farthest = std::max(kEndOfTheWorld, glm::length(position()));
+  const auto reach = [](const CameraController& camera) {
+    const float distance = glm::length(camera.position());
+    return camera.orthographic_ ? std::max(distance, camera.view_height()) : distance;
+  };
   const bool can_stand =
-      orthonormal_axes(moved.to_world_) && glm::length(moved.position()) <= farthest;
+      orthonormal_axes(moved.to_world_) && reach(moved) <= std::max(kEndOfTheWorld, reach(*this));
   if (can_stand) *this = moved;
 }
 

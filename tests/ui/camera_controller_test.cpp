@@ -99,6 +99,17 @@ TEST(CameraController, PanMovesThePivotsPlaneWithTheMouse) {
   }
 }
 
+TEST(CameraController, PanFollowsTheMouseInAnEnlargedOrthographicView) {
+  const Camera plain = camera_on_z(CameraModel::Orthographic);
+  const Camera camera =
+      plain.with_transform(plain.description().to_world * glm::scale(Mat4(1), Vec3(3)));
+  CameraController controller(camera, 10);
+  controller.pan({0.2f, -0.1f});
+  const Vec2 raster = raster_of(camera, controller, Vec3(0));
+  EXPECT_NEAR(raster.x, 100 + 0.2f * 100, 0.1f);
+  EXPECT_NEAR(raster.y, 50 - 0.1f * 100, 0.1f);
+}
+
 TEST(CameraController, DollyNearsButNeverReachesThePivot) {
   CameraController controller(camera_on_z(), 10);
   controller.dolly(1);
