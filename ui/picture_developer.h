@@ -30,8 +30,9 @@ void develop_picture(const Snapshot& snapshot, Layer layer, const DisplaySetting
 /// Makes pictures in a thread of its own, so that tone mapping never holds up the window.
 class PictureDeveloper {
  public:
-  /// `developed` is called on the UI thread.
-  PictureDeveloper(UiQueue& queue, std::function<void(std::shared_ptr<const Picture>)> developed);
+  /// `developed`, and `failed` with the reason, are called on the UI thread.
+  PictureDeveloper(UiQueue& queue, std::function<void(std::shared_ptr<const Picture>)> developed,
+                   std::function<void(const std::string&)> failed);
   ~PictureDeveloper();
   PictureDeveloper(const PictureDeveloper&) = delete;
   PictureDeveloper& operator=(const PictureDeveloper&) = delete;
@@ -49,9 +50,11 @@ class PictureDeveloper {
     bool operator==(const Request& other) const;
   };
   void work();
+  void develop(const Request& request);
 
   UiQueue& queue_;
   std::function<void(std::shared_ptr<const Picture>)> developed_;
+  std::function<void(const std::string&)> failed_;
   std::optional<Request> last_;  // UI thread only
   std::mutex mutex_;
   std::condition_variable changed_;

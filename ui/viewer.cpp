@@ -66,7 +66,7 @@ class Viewer {
   Document document_{&Window::wake};
   PictureDeveloper developer_;
   Toolbox toolbox_;
-  DisplayScene display_{*queue_};
+  DisplayScene display_{*queue_, document_.messages()};
   Comparison comparison_{document_, *queue_};
   RenderView view_{window_, display_, comparison_};
   ScoutView scout_{window_, display_};
@@ -94,7 +94,10 @@ Viewer::Viewer(const ViewerOptions& options)
     : window_("Guidelight", options.ui_scale),
       developer_(
           *queue_,
-          [this](std::shared_ptr<const Picture> picture) { view_.show(std::move(picture)); }),
+          [this](std::shared_ptr<const Picture> picture) { view_.show(std::move(picture)); },
+          [this](const std::string& reason) {
+            document_.messages().error("The picture cannot be shown: " + reason);
+          }),
       exporter_(document_, *queue_, current_folder()),
       checkpoints_(document_, queue_, current_folder()),
       opener_(document_, queue_, [this] { show_new_scene(); }),

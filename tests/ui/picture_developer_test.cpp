@@ -22,7 +22,7 @@ std::shared_ptr<const Snapshot> grey_snapshot(float value) {
 TEST(PictureDeveloper, ShowsExactlyWhatDisplayImageMakes) {
   UiQueue queue([] {});
   std::vector<std::shared_ptr<const Picture>> pictures;
-  PictureDeveloper developer(queue, [&](auto picture) { pictures.push_back(picture); });
+  PictureDeveloper developer(queue, [&](auto picture) { pictures.push_back(picture); }, {});
   DisplaySettings display;
   display.exposure = 1;
   const auto snapshot = grey_snapshot(0.2f);
@@ -42,7 +42,7 @@ TEST(PictureDeveloper, ShowsExactlyWhatDisplayImageMakes) {
 TEST(PictureDeveloper, TheNewestRequestIsAlwaysAnswered) {
   UiQueue queue([] {});
   std::shared_ptr<const Picture> latest;
-  PictureDeveloper developer(queue, [&](auto picture) { latest = picture; });
+  PictureDeveloper developer(queue, [&](auto picture) { latest = picture; }, {});
   const auto snapshot = grey_snapshot(0.5f);
   DisplaySettings display;
   for (int i = 0; i <= 50; ++i) {

@@ -76,5 +76,17 @@ TEST(BackgroundThread, FinishesItsJobsInOrderBeforeItGoes) {
   EXPECT_TRUE(std::ranges::is_sorted(order));
 }
 
+TEST(BackgroundThread, SaysWhyAJobFailedAndGoesOn) {
+  std::vector<std::string> said;
+  {
+    BackgroundThread thread;
+    const auto failed = [&](const std::string& reason) { said.push_back(reason); };
+    thread.run([] { throw std::runtime_error("no"); }, failed);
+    thread.run([] { throw std::bad_alloc(); }, failed);
+    thread.run([&] { said.emplace_back("done"); }, failed);
+  }
+  EXPECT_EQ(said, (std::vector<std::string>{"no", "there is not enough memory", "done"}));
+}
+
 }  // namespace
 }  // namespace guidelight
