@@ -326,6 +326,20 @@ GuideList Document::followed_guides() const {
   return std::make_shared<const std::vector<GuidePath>>(std::move(alone));
 }
 
+Bounds Document::bounds_of_selection() const {
+  constexpr float kRoom = 0.1f;  // of the size, on each side
+  const GuidePath* path = nullptr;
+  if (harvest_.selected) path = &harvest_.paths[*harvest_.selected].guide;
+  if (guide_view_.selected) path = &(*guides())[*guide_view_.selected];
+  Bounds bounds;
+  if (path) {
+    for (const GuideVertex& vertex : path->vertices) bounds.extend(vertex.position);
+  }
+  if (bounds.empty() || !(bounds.radius() > 0)) return scene().bounds();
+  const Vec3 room(kRoom * bounds.radius());
+  return {bounds.lower - room, bounds.upper + room};
+}
+
 // -- Photons.
 
 void Document::set_photon_view(const PhotonView& view) {

@@ -180,6 +180,9 @@ class Document {
   Harvest& harvest() { return harvest_; }
   const Harvest& harvest() const { return harvest_; }
 
+  /// Of the selected guide or else light path, with some room around; without, of the scene.
+  Bounds bounds_of_selection() const;
+
   // -- Photons.
   const PhotonView& photon_view() const { return photon_view_; }
   /// Photons cost nothing while they are not shown.

@@ -232,6 +232,31 @@ TEST_F(DocumentTest, ASessionIsRestoredFromTheMetadataOfItsPicture) {
   EXPECT_EQ(parameter_text(document_.settings().parameters->clone()->parameters().front()), "5");
 }
 
+GuidePath guide_between(const std::string& name, Vec3 a, Vec3 b) {
+  GuidePath guide;
+  guide.name = name;
+  guide.vertices.resize(2);
+  guide.vertices[0].position = a;
+  guide.vertices[1].position = b;
+  return guide;
+}
+
+TEST_F(DocumentTest, WhatIsFramedIsTheSelectedGuideOrLightPathOrTheScene) {
+  open_room();
+  const Bounds scene = document_.scene().bounds();
+  EXPECT_EQ(document_.bounds_of_selection().upper, scene.upper);
+  document_.edit_guides({guide_between("a", {1, 2, 3}, {2, 2, 3})}, "test");
+  EXPECT_EQ(document_.bounds_of_selection().upper, scene.upper);
+  document_.guide_view().selected = 0;
+  EXPECT_NEAR(document_.bounds_of_selection().lower.x, 0.95f, 1e-5f);
+  EXPECT_NEAR(document_.bounds_of_selection().upper.x, 2.05f, 1e-5f);
+  EXPECT_NEAR(document_.bounds_of_selection().upper.y, 2.05f, 1e-5f);
+  document_.guide_view().selected.reset();
+  document_.harvest().paths.emplace_back().guide = guide_between("", {0, 0, 0}, {0, 4, 0});
+  document_.harvest().selected = 0;
+  EXPECT_NEAR(document_.bounds_of_selection().upper.y, 4.2f, 1e-5f);
+}
+
 TEST_F(DocumentTest, TargetsDoNotRestart) {
   open_room();
   ASSERT_TRUE(wait_for_full_picture());
