@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "renderer/io/guide_file.h"
 #include "ui/histogram.h"
 
 namespace guidelight {
@@ -366,16 +367,36 @@ std::vector<PixelHistory::Entry> Document::pixel_history(glm::ivec2 pixel) const
 
 void Document::undo() {
   const std::string label = edits_.undo_label();
+  const GuideList before = guides();
   if (!edits_.undo()) return;
   apply_settings(edits_.state().settings);
+  find_again(*before);
   take_guides();
   messages_.note("Undid: " + label);
 }
 
+/// What was selected in another list, in the one of now.
+void Document::find_again(const std::vector<GuidePath>& before) {
+  const std::vector<GuidePath>& now = *guides();
+  if (before.size() == now.size()) return;
+  const auto find = [&](std::optional<size_t>& index) {
+    if (!index) return;
+    const std::string wanted = guides_text({before[*index]});
+    const auto found =
+        std::ranges::find(now, wanted, [](const GuidePath& guide) { return guides_text({guide}); });
+    index.reset();
+    if (found != now.end()) index = found - now.begin();
+  };
+  find(guide_view_.selected);
+  find(guide_view_.solo);
+}
+
 void Document::redo() {
   const std::string label = edits_.redo_label();
+  const GuideList before = guides();
   if (!edits_.redo()) return;
   apply_settings(edits_.state().settings);
+  find_again(*before);
   take_guides();
   messages_.note("Did again: " + label);
 }

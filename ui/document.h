@@ -218,6 +218,7 @@ class Document {
   void start(Clock::time_point now);
   void apply_settings(const RenderSettings& settings);
   void take_guides();
+  void find_again(const std::vector<GuidePath>& before);
   void follow_guides();
   void update_candidates();
   void watch_pixels();

@@ -257,6 +257,36 @@ TEST_F(DocumentTest, WhatIsFramedIsTheSelectedGuideOrLightPathOrTheScene) {
   EXPECT_NEAR(document_.bounds_of_selection().upper.y, 4.2f, 1e-5f);
 }
 
+TEST_F(DocumentTest, UndoKeepsTheSameGuideSelectedAndAlone) {
+  open_room();
+  const GuidePath a = guide_between("a", {0, 0, 0}, {0, 0, 1});
+  const GuidePath b = guide_between("b", {0, 0, 0}, {0, 1, 0});
+  const auto selected = [&] {
+    const auto& index = document_.guide_view().selected;
+    return index ? (*document_.guides())[*index].name : "none";
+  };
+  const auto alone = [&] {
+    const auto& index = document_.guide_view().solo;
+    return index ? (*document_.guides())[*index].name : "none";
+  };
+  document_.edit_guides({a, b}, "two");
+  document_.edit_guides({b}, "delete guide");
+  document_.guide_view().selected = 0;
+  document_.set_solo(0);
+  document_.undo();
+  EXPECT_EQ(selected(), "b");
+  EXPECT_EQ(alone(), "b");
+  document_.guide_view().selected = 0;
+  document_.redo();
+  EXPECT_EQ(selected(), "none") << "it is gone";
+  EXPECT_EQ(alone(), "b");
+
+  document_.edit_guides({guide_between("c", {1, 0, 0}, {0, 1, 0})}, "changed");
+  document_.guide_view().selected = 0;
+  document_.undo();
+  EXPECT_EQ(selected(), "b") << "a change of a guide is still of that guide";
+}
+
 TEST_F(DocumentTest, TargetsDoNotRestart) {
   open_room();
   ASSERT_TRUE(wait_for_full_picture());
