@@ -201,7 +201,7 @@ bool Document::save_checkpoint(const std::string& path,
   const bool rendering =
       !jobs_.empty() && !restart_pending_ && status_->state != SessionState::Failed;
   if (!rendering) return false;
-  session_.save([save = save_to(path, jobs_.back().job),
+  session_.save([save = save_to(path, *jobs_.back().job),
                  done = std::move(done)](const RenderProgress& progress) {
     std::string problem;
     try {
@@ -271,12 +271,10 @@ void Document::start(Clock::time_point now) {
   const uint64_t number = session_.start(job);
   job.resume_from.reset();  // the film of a checkpoint is large, and of no more use here
   job.guides = guides();    // what travels with pictures; solo is a way of looking
-  jobs_.push_back({number, std::move(job)});
+  jobs_.push_back({number, std::make_shared<RenderJob>(std::move(job))});
   job_started_ = now;
   restart_pending_ = false;
 }
-
-const RenderJob& Document::picture_job() const { return jobs_.front().job; }
 
 // -- Guide paths.
 
@@ -308,7 +306,7 @@ void Document::take_guides() {
 
 void Document::follow_guides() {
   session_.set_guides(followed_guides());
-  if (!jobs_.empty()) jobs_.back().job.guides = guides();
+  if (!jobs_.empty()) jobs_.back().job->guides = guides();
 }
 
 void Document::update_candidates() {

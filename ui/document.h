@@ -159,7 +159,8 @@ class Document {
   /// The latest picture; null before the first.
   const std::shared_ptr<const Snapshot>& picture() const { return picture_; }
   /// What the latest picture is of, even if a newer job has been started since.
-  const RenderJob& picture_job() const;
+  const RenderJob& picture_job() const { return *shared_picture_job(); }
+  std::shared_ptr<const RenderJob> shared_picture_job() const { return jobs_.front().job; }
 
   // -- Guide paths. Changing them never restarts the render.
   /// Never null.
@@ -259,7 +260,7 @@ class Document {
   std::optional<PendingResume> resume_;  // for the next start
   struct StartedJob {
     uint64_t number;
-    RenderJob job;
+    std::shared_ptr<RenderJob> job;  // its guides are the newest while it is rendered
   };
   std::deque<StartedJob> jobs_;  // from the picture's to the last one started
   Clock::time_point job_started_;

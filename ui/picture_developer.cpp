@@ -42,9 +42,10 @@ bool PictureDeveloper::Request::operator==(const Request& other) const {
          display == other.display;
 }
 
-void PictureDeveloper::request(std::shared_ptr<const Snapshot> snapshot, Layer layer,
+void PictureDeveloper::request(std::shared_ptr<const Snapshot> snapshot,
+                               std::shared_ptr<const RenderJob> job, Layer layer,
                                const DisplaySettings& display) {
-  Request wanted{std::move(snapshot), layer, display};
+  Request wanted{std::move(snapshot), std::move(job), layer, display};
   if (last_ && *last_ == wanted) return;
   last_ = wanted;
   {
@@ -78,6 +79,7 @@ void PictureDeveloper::work() {
 void PictureDeveloper::develop(const Request& request) {
   auto picture = std::make_shared<Picture>();
   picture->snapshot = request.snapshot;
+  picture->job = request.job;
   picture->layer = request.layer;
   picture->display = request.display;
   develop_picture(*request.snapshot, request.layer, request.display, picture->image);

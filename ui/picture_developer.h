@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "renderer/image/tonemap.h"
-#include "renderer/session/snapshot.h"
+#include "renderer/session/render_session.h"
 #include "ui/histogram.h"
 #include "ui/ui_queue.h"
 
@@ -17,6 +17,7 @@ namespace guidelight {
 /// A picture ready for the screen, and what it was made of.
 struct Picture {
   std::shared_ptr<const Snapshot> snapshot;
+  std::shared_ptr<const RenderJob> job;  // that the snapshot is of
   Layer layer = Layer::Beauty;
   DisplaySettings display;
   DisplayImage image;
@@ -39,12 +40,13 @@ class PictureDeveloper {
 
   /// Asks for a picture unless the last one asked for is the same. A newer request replaces an
   /// older one that has not been begun.
-  void request(std::shared_ptr<const Snapshot> snapshot, Layer layer,
-               const DisplaySettings& display);
+  void request(std::shared_ptr<const Snapshot> snapshot, std::shared_ptr<const RenderJob> job,
+               Layer layer, const DisplaySettings& display);
 
  private:
   struct Request {
     std::shared_ptr<const Snapshot> snapshot;
+    std::shared_ptr<const RenderJob> job;
     Layer layer;
     DisplaySettings display;
     bool operator==(const Request& other) const;

@@ -132,7 +132,8 @@ void Viewer::run() {
     display_.update(document_, frame_began);
     comparison_.update(frame_began);
     if (document_.picture()) {
-      developer_.request(document_.picture(), document_.view().layer, document_.view().current());
+      developer_.request(document_.picture(), document_.shared_picture_job(),
+                         document_.view().layer, document_.view().current());
     }
     update_title();
     draw_frame();
@@ -194,18 +195,19 @@ void Viewer::draw_frame() {
     state_.capture_requested = false;
     DisplayImage capture;
     window_.end_frame(&capture);
-    exporter_.save_drawing(std::move(capture), "-window");
+    exporter_.save_drawing(std::move(capture), view_.picture().get(), "-window");
   } else {
     window_.end_frame();
   }
 }
 
 void Viewer::save_figure() {
-  if (!view_.picture() || !document_.picture()) {
+  if (!view_.picture()) {
     document_.messages().warning("There is no picture for a figure yet.");
     return;
   }
-  exporter_.save_drawing(paint_figure(document_, *view_.picture()), "-figure");
+  const Picture& picture = *view_.picture();
+  exporter_.save_drawing(paint_figure(document_, picture), &picture, "-figure");
 }
 
 void Viewer::draw_views() {
@@ -289,6 +291,7 @@ void Viewer::handle_key(int key, int modifiers, bool is_repeat) {
 
 void Viewer::show_new_scene() {
   toolbox_.use_default();
+  view_.show(nullptr);
   view_.transform().fit();
   display_.show(document_.opened().scene);
   scout_.show(document_);
