@@ -202,10 +202,10 @@ bool perform_on_picture(Action action, const Workbench& bench) {
   DisplaySettings& display = document.view().current();
   switch (action) {
     case Action::ExposureUp:
-      display.exposure += kExposureStep;
+      document.step_exposure(kExposureStep);
       return true;
     case Action::ExposureDown:
-      display.exposure -= kExposureStep;
+      document.step_exposure(-kExposureStep);
       return true;
     case Action::NormaliseExposure:
       document.normalise();

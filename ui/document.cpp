@@ -406,6 +406,11 @@ void Document::step_layer(int step) {
   show_layer(static_cast<Layer>(next));
 }
 
+void Document::step_exposure(float step) {
+  float& exposure = view_.current().exposure;
+  exposure = std::clamp(exposure + step, -kLargestExposure, kLargestExposure);
+}
+
 void Document::show_layer(Layer layer) {
   view_.layer = layer;
   bool& known = range_known_[static_cast<size_t>(layer)];

@@ -99,6 +99,8 @@ struct GuideView {
   SpecularChoice choice = SpecularChoice::Refract;
 };
 
+inline constexpr float kLargestExposure = 20;  // [EV] up and down
+
 /// Depth, sample count and variance: numbers rather than colours.
 bool is_data_layer(Layer layer);
 /// "coffee" for ".../coffee/scene_v3.xml", "box" for ".../box.xml".
@@ -205,6 +207,8 @@ class Document {
   ViewSettings& view() { return view_; }
   const ViewSettings& view() const { return view_; }
   void step_layer(int step);
+  /// [EV], within kLargestExposure.
+  void step_exposure(float step);
   /// Shows another layer; a data layer that was never seen before gets a range that suits it.
   void show_layer(Layer layer);
   /// Exposure to middle grey, or the range of false colours to the values of the layer.

@@ -186,6 +186,32 @@ TEST_F(DocumentTest, RadianceLayersShareTheirExposure) {
   EXPECT_EQ(document_.view().current().exposure, 0);
 }
 
+TEST_F(DocumentTest, TheExposureHasLimits) {
+  document_.step_exposure(0.25f);
+  EXPECT_EQ(document_.view().current().exposure, 0.25f);
+  for (int i = 0; i < 1000; ++i) document_.step_exposure(0.25f);
+  EXPECT_EQ(document_.view().current().exposure, kLargestExposure);
+  for (int i = 0; i < 1000; ++i) document_.step_exposure(-0.25f);
+  EXPECT_EQ(document_.view().current().exposure, -kLargestExposure);
+}
+
+TEST_F(DocumentTest, TheProbeReadsPicturesOfAnySize) {
+  open_room(1, 1);
+  constexpr int kWidth = 60'000;
+  auto layers = std::make_shared<Snapshot::Layers>();
+  for (const Layer layer : kAllLayers) {
+    (*layers)[static_cast<size_t>(layer)] = Image(kWidth, 1, layer_channels(layer));
+  }
+  (*layers)[static_cast<size_t>(Layer::Beauty)].pixel(kWidth - 1, 0)[0] = 5;
+  Snapshot snapshot;
+  snapshot.layers = layers;
+  snapshot.full_width = kWidth;
+  snapshot.full_height = 1;
+  const auto report = probe_pixel(document_.scene(), snapshot, kWidth - 1, 0);
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->radiance.r, 5);
+}
+
 TEST_F(DocumentTest, TheProbeSeesWhatTheRayHits) {
   open_room();
   ASSERT_TRUE(wait_for_full_picture());
