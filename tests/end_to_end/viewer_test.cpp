@@ -305,6 +305,18 @@ TEST_F(ViewerTest, ShiftF12SavesTheWindow) {
   EXPECT_EQ(window.height(), 720);
 }
 
+TEST_F(ViewerTest, AnExposureThatIsTypedStaysWithinLimits) {
+  start({write_scene("ball.xml"), "--size", "64x48"});
+  ASSERT_TRUE(wait_for_full_picture());
+  constexpr int kInRightPanel = 1150;
+  driver_->hold_key("Control_L", true);
+  driver_->click(fields_at(kInRightPanel).at(1));  // after the layer
+  driver_->hold_key("Control_L", false);
+  std::this_thread::sleep_for(500ms);
+  driver_->type("500\n");
+  EXPECT_TRUE(wait_until([&] { return read_metadata(save_png()).at("exposure") == "20"; }));
+}
+
 // -- How it feels: figures to look at, not limits to pass, since machines differ.
 
 TEST_F(ViewerTest, AnswersAtOnceWhileRendering) {
