@@ -5,6 +5,7 @@
 
 #include "app/commands.h"
 #include "app/scene_arguments.h"
+#include "renderer/scene/film_size.h"
 #include "ui/viewer.h"
 
 namespace guidelight {
@@ -45,6 +46,12 @@ int open_window(ViewArguments& arguments) {
   }
   if (!arguments.scene.size.empty()) {
     const std::vector<int> size = split_numbers("--size", arguments.scene.size, 'x', 2);
+    if (!is_film_size(size[0], size[1])) {
+      throw CLI::ValidationError(
+          "--size", fmt::format("a picture of {} pixels cannot be rendered; use 1 to {} a side and "
+                                "at most {}",
+                                arguments.scene.size, kMaxFilmSide, kMaxFilmPixels));
+    }
     options.width = size[0];
     options.height = size[1];
   }

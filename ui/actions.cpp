@@ -149,8 +149,8 @@ bool works_in_scout(const Workbench& bench) {
   return !bench.views.shows_render() || bench.scout_view.hovered();
 }
 
-void frame_scene(const Workbench& bench) {
-  const Bounds bounds = bench.document.scene().bounds();
+void frame_selection(const Workbench& bench) {
+  const Bounds bounds = bench.document.bounds_of_selection();
   if (works_in_scout(bench)) {
     bench.scout_view.frame(bounds);
   } else {
@@ -176,8 +176,8 @@ bool perform_on_views(Action action, const Workbench& bench) {
     case Action::ViewFromRender:
       bench.scout_view.stand_at_render_camera(bench.document);
       return true;
-    case Action::FrameScene:
-      frame_scene(bench);
+    case Action::FrameSelection:
+      frame_selection(bench);
       return true;
     case Action::ResetCamera:
       if (works_in_scout(bench)) {
@@ -202,10 +202,10 @@ bool perform_on_picture(Action action, const Workbench& bench) {
   DisplaySettings& display = document.view().current();
   switch (action) {
     case Action::ExposureUp:
-      display.exposure += kExposureStep;
+      document.step_exposure(kExposureStep);
       return true;
     case Action::ExposureDown:
-      display.exposure -= kExposureStep;
+      document.step_exposure(-kExposureStep);
       return true;
     case Action::NormaliseExposure:
       document.normalise();

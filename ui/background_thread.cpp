@@ -1,5 +1,9 @@
 #include "ui/background_thread.h"
 
+#include <exception>
+#include <new>
+#include <utility>
+
 namespace guidelight {
 
 BackgroundThread::BackgroundThread() : thread_([this] { work(); }) {}
@@ -13,7 +17,19 @@ BackgroundThread::~BackgroundThread() {
   thread_.join();
 }
 
-void BackgroundThread::run(std::function<void()> job) {
+void BackgroundThread::run(std::function<void()> job,
+                           std::function<void(const std::string&)> failed) {
+  if (failed) {
+    job = [job = std::move(job), failed = std::move(failed)] {
+      try {
+        job();
+      } catch (const std::bad_alloc&) {
+        failed("there is not enough memory");
+      } catch (const std::exception& error) {
+        failed(error.what());
+      }
+    };
+  }
   {
     const std::lock_guard lock(mutex_);
     jobs_.push_back(std::move(job));

@@ -4,12 +4,12 @@
 #include <deque>
 #include <functional>
 #include <mutex>
+#include <string>
 #include <thread>
 
 namespace guidelight {
 
 /// Runs jobs one after another in a thread of its own. The destructor finishes all of them first.
-/// Jobs must not throw.
 class BackgroundThread {
  public:
   BackgroundThread();
@@ -17,7 +17,9 @@ class BackgroundThread {
   BackgroundThread(const BackgroundThread&) = delete;
   BackgroundThread& operator=(const BackgroundThread&) = delete;
 
-  void run(std::function<void()> job);
+  /// If the job throws, `failed` is called in that thread with the reason. Neither that nor jobs
+  /// without it may throw.
+  void run(std::function<void()> job, std::function<void(const std::string& reason)> failed = {});
 
  private:
   void work();

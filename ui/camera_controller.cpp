@@ -3,11 +3,16 @@
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "renderer/math/axes.h"
+
 namespace guidelight {
 namespace {
 
 constexpr float kPoleMargin = 2 * kPi / 180;  // how near the view may come to straight up or down
 constexpr float kDollyFactor = 0.9f;
+constexpr float kNearest = 1e-6f;  // that one dollies to the pivot [radii of the scene] …
+constexpr float kFarthest = 1e4f;  // … and from it
+constexpr float kEndOfTheWorld = 1e8f;
 
 Vec3 closest_axis(Vec3 v) {
   const Vec3 size = glm::abs(v);
@@ -24,13 +29,19 @@ Mat4 rotation_around(Vec3 center, float angle, Vec3 axis) {
 
 }  // namespace
 
-CameraController::CameraController(const Camera& camera, float pivot_distance)
+CameraController::CameraController(const Camera& camera, float pivot_distance, float scene_radius)
     : to_world_(camera.description().to_world),
       tan_half_height_(0.5f * camera.pixel_size_at_unit_distance() * camera.height()),
       tan_half_width_(0.5f * camera.pixel_size_at_unit_distance() * camera.width()),
       orthographic_(camera.description().model == CameraModel::Orthographic) {
+  if (orthographic_) {  // of a camera of the same lens without scale
+    const float scale = glm::length(Vec3(to_world_[0]));
+    tan_half_height_ /= scale;
+    tan_half_width_ /= scale;
+  }
   world_up_ = closest_axis(up());
   set_pivot_distance(pivot_distance);
+  if (std::isfinite(scene_radius) && scene_radius > 0) scene_radius_ = scene_radius;
 }
 
 Vec3 CameraController::forward() const { return glm::normalize(Vec3(to_world_[2])); }
@@ -58,6 +69,18 @@ float CameraController::view_height() const {
   return orthographic_ ? height * glm::length(Vec3(to_world_[1])) : height * pivot_distance_;
 }
 
+void CameraController::move(const std::function<void(CameraController&)>& motion) {
+  CameraController moved = *this;
+  motion(moved);
+  const auto reach = [](const CameraController& camera) {
+    const float distance = glm::length(camera.position());
+    return camera.orthographic_ ? std::max(distance, camera.view_height()) : distance;
+  };
+  const bool can_stand =
+      orthonormal_axes(moved.to_world_) && reach(moved) <= std::max(kEndOfTheWorld, reach(*this));
+  if (can_stand) *this = moved;
+}
+
 void CameraController::orbit(Vec2 angles) { turn(angles, pivot()); }
 
 void CameraController::look(Vec2 angles) { turn(angles, position()); }
@@ -80,12 +103,21 @@ void CameraController::pan(Vec2 share) {
 void CameraController::dolly(float steps) {
   const float factor = std::pow(kDollyFactor, steps);
   if (orthographic_) {
-    to_world_[0] *= factor;
-    to_world_[1] *= factor;
+    const float height = view_height();
+    const float scale = zoomed(height, factor) / height;
+    to_world_[0] *= scale;
+    to_world_[1] *= scale;
     return;
   }
-  to_world_[3] += Vec4(forward() * (pivot_distance_ * (1 - factor)), 0);
-  pivot_distance_ *= factor;
+  const float distance = zoomed(pivot_distance_, factor);
+  to_world_[3] += Vec4(forward() * (pivot_distance_ - distance), 0);
+  pivot_distance_ = distance;
+}
+
+/// Within what the scene's size makes sensible; a size that is not comes no farther from it.
+float CameraController::zoomed(float size, float factor) const {
+  return std::clamp(size * factor, std::min(size, kNearest * scene_radius_),
+                    std::max(size, kFarthest * scene_radius_));
 }
 
 void CameraController::fly(Vec3 offset) {

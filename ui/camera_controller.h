@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "renderer/scene/scene.h"
@@ -13,7 +14,8 @@ class CameraController {
  public:
   CameraController() = default;
   /// Takes over a camera; pivot_distance is the distance to what it orbits around [scene units].
-  CameraController(const Camera& camera, float pivot_distance);
+  /// The radius of the scene limits how near and how far it dollies; 1 stands in for none.
+  CameraController(const Camera& camera, float pivot_distance, float scene_radius = 1);
 
   const Mat4& to_world() const { return to_world_; }
   void set_to_world(const Mat4& to_world) { to_world_ = to_world; }
@@ -30,6 +32,9 @@ class CameraController {
   Vec3 pivot() const { return position() + pivot_distance_ * forward(); }
   void set_pivot_distance(float distance);
 
+  /// Does what the motions below do, but for one that leads where no camera can be: farther than
+  /// 10⁸ from the origin, or out of the range of floats.
+  void move(const std::function<void(CameraController&)>& motion);
   /// Turns the world around the pivot by these angles [rad]; never past the poles.
   void orbit(Vec2 angles);
   /// Turns the view around the camera [rad]; never past the poles.
@@ -46,12 +51,14 @@ class CameraController {
 
  private:
   void turn(Vec2 angles, Vec3 center);
+  float zoomed(float size, float factor) const;
   float handedness() const;
   float view_height() const;
 
   Mat4 to_world_{1.0f};
   Vec3 world_up_{0, 1, 0};
   float pivot_distance_ = 1;
+  float scene_radius_ = 1;
   float tan_half_height_ = 0.5f;  // perspective: tangent of half the vertical field of view
   float tan_half_width_ = 0.5f;
   bool orthographic_ = false;

@@ -1,26 +1,42 @@
 #include "ui/display_scene.h"
 
+#include <fmt/format.h>
+
 #include "ui/legend.h"
 
 namespace guidelight {
 
-DisplayScene::DisplayScene(UiQueue& queue)
-    : queue_(queue), mapper_(queue, [this](std::shared_ptr<const PhotonKnowledge> photons) {
+DisplayScene::DisplayScene(UiQueue& queue, Messages& messages)
+    : queue_(queue),
+      messages_(messages),
+      mapper_(queue, messages, [this](std::shared_ptr<const PhotonKnowledge> photons) {
         take_knowledge(std::move(photons));
       }) {}
 
 void DisplayScene::show(std::shared_ptr<const Scene> scene) {
   const uint64_t request = ++request_;
-  tessellator_.run([this, scene = std::move(scene), request] {
+  const auto tessellate = [this, scene = std::move(scene), request] {
     auto mesh = std::make_shared<DisplayMesh>(make_display_mesh(scene->description()));
     queue_.post([this, mesh, request, radius = scene->bounds().radius()] {
-      if (request != request_) return;
-      if (!mesh_) mesh_ = std::make_unique<MeshRaster>();
-      mesh_->upload(*mesh);
-      mapper_.show(mesh, radius);
-      take_knowledge(nullptr);
+      if (request == request_) take_mesh(mesh, radius);
+    });
+  };
+  tessellator_.run(tessellate, [this](const std::string& reason) {
+    queue_.post([this, text = "The scene cannot be shown in the scout view: " + reason] {
+      messages_.error(text);
     });
   });
+}
+
+void DisplayScene::take_mesh(const std::shared_ptr<const DisplayMesh>& mesh, float radius) {
+  if (!mesh_) mesh_ = std::make_unique<MeshRaster>();
+  mesh_->upload(*mesh);
+  mapper_.show(mesh, radius);
+  take_knowledge(nullptr);
+  if (mesh->boxes == 0) return;
+  messages_.note(fmt::format(
+      "The scout view shows {} instances as boxes: their triangles are too many to be drawn.",
+      mesh->boxes));
 }
 
 void DisplayScene::update(const Document& document, Document::Clock::time_point now) {

@@ -14,7 +14,8 @@ namespace guidelight {
 /// What OpenGL draws of a document in any view: the scene's triangles and the photons.
 class DisplayScene {
  public:
-  explicit DisplayScene(UiQueue& queue);
+  /// Says in the messages what cannot be drawn as it is.
+  DisplayScene(UiQueue& queue, Messages& messages);
 
   /// Prepares the triangles of another scene in the background.
   void show(std::shared_ptr<const Scene> scene);
@@ -40,10 +41,12 @@ class DisplayScene {
   const std::shared_ptr<const PhotonKnowledge>& photons() const { return photons_; }
 
  private:
+  void take_mesh(const std::shared_ptr<const DisplayMesh>& mesh, float radius);
   void take_points(const Document& document, std::shared_ptr<const PhotonCloud> cloud);
   void take_knowledge(std::shared_ptr<const PhotonKnowledge> photons);
 
   UiQueue& queue_;
+  Messages& messages_;
   uint64_t version_ = 0;
   uint64_t request_ = 0;  // the scene shown last wins
   std::unique_ptr<MeshRaster> mesh_;

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "renderer/io/guide_file.h"
 #include "ui/histogram.h"
 
 namespace guidelight {
@@ -139,7 +140,7 @@ Camera Document::current_camera() const {
 
 void Document::move_camera(const std::function<void(CameraController&)>& move) {
   if (!has_scene()) return;
-  move(camera_);
+  camera_.move(move);
   restart();
 }
 
@@ -147,7 +148,8 @@ void Document::reset_camera() {
   if (!has_scene()) return;
   const Bounds bounds = scene().bounds();
   const Camera& camera = scene().camera();
-  camera_ = CameraController(camera, glm::length(bounds.center() - camera.position()));
+  camera_ =
+      CameraController(camera, glm::length(bounds.center() - camera.position()), bounds.radius());
   find_pivot();
   restart();
 }
@@ -199,7 +201,7 @@ bool Document::save_checkpoint(const std::string& path,
   const bool rendering =
       !jobs_.empty() && !restart_pending_ && status_->state != SessionState::Failed;
   if (!rendering) return false;
-  session_.save([save = save_to(path, jobs_.back().job),
+  session_.save([save = save_to(path, *jobs_.back().job),
                  done = std::move(done)](const RenderProgress& progress) {
     std::string problem;
     try {
@@ -269,12 +271,10 @@ void Document::start(Clock::time_point now) {
   const uint64_t number = session_.start(job);
   job.resume_from.reset();  // the film of a checkpoint is large, and of no more use here
   job.guides = guides();    // what travels with pictures; solo is a way of looking
-  jobs_.push_back({number, std::move(job)});
+  jobs_.push_back({number, std::make_shared<RenderJob>(std::move(job))});
   job_started_ = now;
   restart_pending_ = false;
 }
-
-const RenderJob& Document::picture_job() const { return jobs_.front().job; }
 
 // -- Guide paths.
 
@@ -306,7 +306,7 @@ void Document::take_guides() {
 
 void Document::follow_guides() {
   session_.set_guides(followed_guides());
-  if (!jobs_.empty()) jobs_.back().job.guides = guides();
+  if (!jobs_.empty()) jobs_.back().job->guides = guides();
 }
 
 void Document::update_candidates() {
@@ -323,6 +323,20 @@ GuideList Document::followed_guides() const {
   auto alone = *guides();
   for (size_t i = 0; i < alone.size(); ++i) alone[i].enabled = i == *guide_view_.solo;
   return std::make_shared<const std::vector<GuidePath>>(std::move(alone));
+}
+
+Bounds Document::bounds_of_selection() const {
+  constexpr float kRoom = 0.1f;  // of the size, on each side
+  const GuidePath* path = nullptr;
+  if (harvest_.selected) path = &harvest_.paths[*harvest_.selected].guide;
+  if (guide_view_.selected) path = &(*guides())[*guide_view_.selected];
+  Bounds bounds;
+  if (path) {
+    for (const GuideVertex& vertex : path->vertices) bounds.extend(vertex.position);
+  }
+  if (bounds.empty() || !(bounds.radius() > 0)) return scene().bounds();
+  const Vec3 room(kRoom * bounds.radius());
+  return {bounds.lower - room, bounds.upper + room};
 }
 
 // -- Photons.
@@ -351,16 +365,36 @@ std::vector<PixelHistory::Entry> Document::pixel_history(glm::ivec2 pixel) const
 
 void Document::undo() {
   const std::string label = edits_.undo_label();
+  const GuideList before = guides();
   if (!edits_.undo()) return;
   apply_settings(edits_.state().settings);
+  find_again(*before);
   take_guides();
   messages_.note("Undid: " + label);
 }
 
+/// What was selected in another list, in the one of now.
+void Document::find_again(const std::vector<GuidePath>& before) {
+  const std::vector<GuidePath>& now = *guides();
+  if (before.size() == now.size()) return;
+  const auto find = [&](std::optional<size_t>& index) {
+    if (!index) return;
+    const std::string wanted = guides_text({before[*index]});
+    const auto found =
+        std::ranges::find(now, wanted, [](const GuidePath& guide) { return guides_text({guide}); });
+    index.reset();
+    if (found != now.end()) index = found - now.begin();
+  };
+  find(guide_view_.selected);
+  find(guide_view_.solo);
+}
+
 void Document::redo() {
   const std::string label = edits_.redo_label();
+  const GuideList before = guides();
   if (!edits_.redo()) return;
   apply_settings(edits_.state().settings);
+  find_again(*before);
   take_guides();
   messages_.note("Did again: " + label);
 }
@@ -370,6 +404,11 @@ void Document::redo() {
 void Document::step_layer(int step) {
   const int next = (static_cast<int>(view_.layer) + step + kLayerCount) % kLayerCount;
   show_layer(static_cast<Layer>(next));
+}
+
+void Document::step_exposure(float step) {
+  float& exposure = view_.current().exposure;
+  exposure = std::clamp(exposure + step, -kLargestExposure, kLargestExposure);
 }
 
 void Document::show_layer(Layer layer) {

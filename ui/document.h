@@ -99,6 +99,8 @@ struct GuideView {
   SpecularChoice choice = SpecularChoice::Refract;
 };
 
+inline constexpr float kLargestExposure = 20;  // [EV] up and down
+
 /// Depth, sample count and variance: numbers rather than colours.
 bool is_data_layer(Layer layer);
 /// "coffee" for ".../coffee/scene_v3.xml", "box" for ".../box.xml".
@@ -159,7 +161,8 @@ class Document {
   /// The latest picture; null before the first.
   const std::shared_ptr<const Snapshot>& picture() const { return picture_; }
   /// What the latest picture is of, even if a newer job has been started since.
-  const RenderJob& picture_job() const;
+  const RenderJob& picture_job() const { return *shared_picture_job(); }
+  std::shared_ptr<const RenderJob> shared_picture_job() const { return jobs_.front().job; }
 
   // -- Guide paths. Changing them never restarts the render.
   /// Never null.
@@ -179,6 +182,9 @@ class Document {
 
   Harvest& harvest() { return harvest_; }
   const Harvest& harvest() const { return harvest_; }
+
+  /// Of the selected guide or else light path, with some room around; without, of the scene.
+  Bounds bounds_of_selection() const;
 
   // -- Photons.
   const PhotonView& photon_view() const { return photon_view_; }
@@ -201,6 +207,8 @@ class Document {
   ViewSettings& view() { return view_; }
   const ViewSettings& view() const { return view_; }
   void step_layer(int step);
+  /// [EV], within kLargestExposure.
+  void step_exposure(float step);
   /// Shows another layer; a data layer that was never seen before gets a range that suits it.
   void show_layer(Layer layer);
   /// Exposure to middle grey, or the range of false colours to the values of the layer.
@@ -215,6 +223,7 @@ class Document {
   void start(Clock::time_point now);
   void apply_settings(const RenderSettings& settings);
   void take_guides();
+  void find_again(const std::vector<GuidePath>& before);
   void follow_guides();
   void update_candidates();
   void watch_pixels();
@@ -255,7 +264,7 @@ class Document {
   std::optional<PendingResume> resume_;  // for the next start
   struct StartedJob {
     uint64_t number;
-    RenderJob job;
+    std::shared_ptr<RenderJob> job;  // its guides are the newest while it is rendered
   };
   std::deque<StartedJob> jobs_;  // from the picture's to the last one started
   Clock::time_point job_started_;

@@ -9,11 +9,11 @@ Exporter::Exporter(Document& document, UiQueue& queue, std::string folder)
     : document_(document), queue_(queue), files_(std::move(folder)) {}
 
 void Exporter::save_png(std::shared_ptr<const Picture> picture) {
-  if (!picture || !document_.picture()) {
+  if (!picture) {
     document_.messages().warning("There is no picture to save yet.");
     return;
   }
-  Metadata metadata = describe_render(document_.picture_job(), *picture->snapshot);
+  Metadata metadata = describe_render(*picture->job, *picture->snapshot);
   metadata["layer"] = layer_name(picture->layer);
   metadata["exposure"] = fmt::format("{}", picture->display.exposure);
   write(next_path("", "png"), [picture, metadata](const std::string& path) {
@@ -33,11 +33,9 @@ void Exporter::save_exr(bool half_precision) {
         });
 }
 
-void Exporter::save_drawing(DisplayImage drawing, const std::string& kind) {
+void Exporter::save_drawing(DisplayImage drawing, const Picture* picture, const std::string& kind) {
   Metadata metadata;
-  if (document_.picture()) {
-    metadata = describe_render(document_.picture_job(), *document_.picture());
-  }
+  if (picture) metadata = describe_render(*picture->job, *picture->snapshot);
   write(next_path(kind, "png"), [drawing = std::move(drawing), metadata](const std::string& path) {
     write_png(path, drawing, metadata);
   });

@@ -23,8 +23,9 @@ class Exporter {
   void save_png(std::shared_ptr<const Picture> picture);
   /// All layers, linear.
   void save_exr(bool half_precision);
-  /// What was drawn of it: `kind` follows the scene in the name of the file, "-window".
-  void save_drawing(DisplayImage drawing, const std::string& kind);
+  /// What was drawn, of a picture or of none: `kind` follows the scene in the name of the file,
+  /// "-window".
+  void save_drawing(DisplayImage drawing, const Picture* picture, const std::string& kind);
 
  private:
   void write(const std::string& path, std::function<void(const std::string&)> writer);

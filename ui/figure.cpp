@@ -24,7 +24,7 @@ class Figure {
   Figure(const Document& document, const Picture& picture)
       : document_(document),
         picture_(picture),
-        scene_(*document.picture_job().scene),
+        scene_(*picture.job->scene),
         factor_(enlargement(picture.snapshot->full_width, picture.snapshot->full_height)),
         picture_size_(factor_ * Vec2(picture.snapshot->full_width, picture.snapshot->full_height)) {
     const auto& solo = document.guide_view().solo;
@@ -104,7 +104,7 @@ class Figure {
             : fmt::format("{} pass{} in {}", snapshot.passes, snapshot.passes == 1 ? "" : "es",
                           format_duration(snapshot.seconds));
     return fmt::format("{}  ·  {}  ·  {}", document_.title(),
-                       find_integrator(document_.picture_job().integrator).label, progress);
+                       find_integrator(picture_.job->integrator).label, progress);
   }
 
   void draw_caption(ImDrawList& list) const {

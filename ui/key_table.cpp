@@ -45,7 +45,7 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>({
     {Action::ShowPhotons, GLFW_KEY_P, 0, "View", "Show or hide the photons"},
     {Action::ViewFromRender, GLFW_KEY_V, 0, "View", "Scout from the render camera"},
 
-    {Action::FrameScene, GLFW_KEY_F, 0, "Camera", "Frame the scene"},
+    {Action::FrameSelection, GLFW_KEY_F, 0, "Camera", "Frame the selection, or the scene"},
     {Action::ResetCamera, GLFW_KEY_HOME, 0, "Camera", "Reset the camera"},
 
     {Action::ExposureUp, GLFW_KEY_E, 0, "Image", "Brighter by ¼ EV"},

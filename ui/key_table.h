@@ -36,7 +36,7 @@ enum class Action {
   Restart,
   RegionTool,
   ClearRegion,
-  FrameScene,
+  FrameSelection,
   ResetCamera,
   ExposureUp,
   ExposureDown,

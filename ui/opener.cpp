@@ -1,10 +1,13 @@
 #include "ui/opener.h"
 
 #include <exception>
+#include <filesystem>
 #include <utility>
 
 #include "renderer/error.h"
+#include "renderer/io/guide_file.h"
 #include "renderer/session/picture_export.h"
+#include "ui/numbered_files.h"
 
 namespace guidelight {
 
@@ -76,12 +79,13 @@ void Opener::resume(const std::string& path) {
 
 void Opener::open_session(const std::string& path, const Metadata& metadata,
                           std::optional<Checkpoint> checkpoint) {
-  const auto settings = session_of(metadata);
+  auto settings = session_of(metadata);
   if (!settings) {
     document_.messages().error(
         path + " carries no session: choose a picture or a checkpoint that Guidelight saved");
     return;
   }
+  if (checkpoint) settings->guides.reset();  // it has none, whatever was rendered with
   Session session{*settings, std::move(checkpoint), path};
   const OpenedScene& opened = document_.opened();
   if (document_.has_scene() && opened.path == settings->scene_path &&
@@ -94,18 +98,51 @@ void Opener::open_session(const std::string& path, const Metadata& metadata,
 }
 
 void Opener::take_scene(OpenedScene opened) {
-  document_.open(std::move(opened));
-  scene_opened_();
-  if (session_) restore(*std::exchange(session_, {}));
+  auto session = std::exchange(session_, {});
+  try {
+    if (session) check(*session, *opened.scene);
+    document_.open(std::move(opened));
+    scene_opened_();
+    if (session) restore(*std::move(session));
+  } catch (const std::exception& error) {
+    document_.messages().error(error.what());
+  }
 }
 
+/// Throws Error if the session cannot be restored with this scene.
+void Opener::check(const Session& session, const Scene& scene) {
+  const RenderJob job = job_of(session.settings, scene);
+  if (session.checkpoint) resume_from(*session.checkpoint, job, session.path);
+}
+
+/// Changes nothing if it cannot be done.
 void Opener::restore(Session session) {
   try {
+    check(session, document_.scene());
+    const GuideList before = document_.guides();
     restore_session(session.settings, document_);
+    if (document_.guides() != before && !before->empty()) set_aside(before);
     if (session.checkpoint) document_.resume(*std::move(session.checkpoint), session.path);
   } catch (const std::exception& error) {
     document_.messages().error(error.what());
   }
+}
+
+/// The file beside the scene will soon hold those of the session.
+void Opener::set_aside(const GuideList& guides) {
+  reader_.run([this, guides, file = guide_file_beside(document_.opened().path)] {
+    const std::filesystem::path path = file;
+    try {
+      const std::string aside =
+          NumberedFiles(path.parent_path().string()).next(path.filename().string(), "earlier");
+      write_guides(aside, *guides);
+      queue_->post([this, aside] {
+        document_.messages().note("The guides that were here before are kept as " + aside);
+      });
+    } catch (const std::exception& error) {
+      queue_->post([this, text = std::string(error.what())] { document_.messages().error(text); });
+    }
+  });
 }
 
 }  // namespace guidelight

@@ -17,7 +17,8 @@ namespace guidelight {
 
 /// Opens what a file holds: a scene, or the session that a picture or a checkpoint was saved in,
 /// with its scene if that is not open. The newest request wins. Large files are read in the
-/// background; what goes wrong is said in the document's messages.
+/// background; what goes wrong is said in the document's messages and changes nothing else. Guides
+/// that a session replaces are kept in a file beside the scene.
 class Opener {
  public:
   /// `scene_opened` is called on the UI thread when the document has another scene.
@@ -47,7 +48,9 @@ class Opener {
   void open_session(const std::string& path, const Metadata& metadata,
                     std::optional<Checkpoint> checkpoint);
   void take_scene(OpenedScene opened);
+  static void check(const Session& session, const Scene& scene);
   void restore(Session session);
+  void set_aside(const GuideList& guides);
 
   Document& document_;
   std::shared_ptr<UiQueue> queue_;
@@ -56,7 +59,7 @@ class Opener {
   std::optional<Session> session_;  // to restore once its scene is there
   uint64_t newest_request_ = 0;
   std::string reading_;      // checkpoint
-  BackgroundThread reader_;  // last: it finishes before the rest goes
+  BackgroundThread reader_;  // writes, too; last: it finishes before the rest goes
 };
 
 }  // namespace guidelight

@@ -1,5 +1,8 @@
 #include "ui/picture_developer.h"
 
+#include <exception>
+#include <new>
+
 namespace guidelight {
 namespace {
 
@@ -18,8 +21,12 @@ void develop_picture(const Snapshot& snapshot, Layer layer, const DisplaySetting
 }
 
 PictureDeveloper::PictureDeveloper(UiQueue& queue,
-                                   std::function<void(std::shared_ptr<const Picture>)> developed)
-    : queue_(queue), developed_(std::move(developed)), thread_([this] { work(); }) {}
+                                   std::function<void(std::shared_ptr<const Picture>)> developed,
+                                   std::function<void(const std::string&)> failed)
+    : queue_(queue),
+      developed_(std::move(developed)),
+      failed_(std::move(failed)),
+      thread_([this] { work(); }) {}
 
 PictureDeveloper::~PictureDeveloper() {
   {
@@ -35,9 +42,10 @@ bool PictureDeveloper::Request::operator==(const Request& other) const {
          display == other.display;
 }
 
-void PictureDeveloper::request(std::shared_ptr<const Snapshot> snapshot, Layer layer,
+void PictureDeveloper::request(std::shared_ptr<const Snapshot> snapshot,
+                               std::shared_ptr<const RenderJob> job, Layer layer,
                                const DisplaySettings& display) {
-  Request wanted{std::move(snapshot), layer, display};
+  Request wanted{std::move(snapshot), std::move(job), layer, display};
   if (last_ && *last_ == wanted) return;
   last_ = wanted;
   {
@@ -56,16 +64,27 @@ void PictureDeveloper::work() {
     next_.reset();
     lock.unlock();
 
-    auto picture = std::make_shared<Picture>();
-    picture->snapshot = request.snapshot;
-    picture->layer = request.layer;
-    picture->display = request.display;
-    develop_picture(*request.snapshot, request.layer, request.display, picture->image);
-    picture->histogram = make_histogram(request.snapshot->layer(request.layer));
-    queue_.post([this, picture = std::move(picture)] { developed_(picture); });
+    try {
+      develop(request);
+    } catch (const std::bad_alloc&) {
+      queue_.post([this] { failed_("there is not enough memory"); });
+    } catch (const std::exception& error) {
+      queue_.post([this, reason = std::string(error.what())] { failed_(reason); });
+    }
 
     lock.lock();
   }
+}
+
+void PictureDeveloper::develop(const Request& request) {
+  auto picture = std::make_shared<Picture>();
+  picture->snapshot = request.snapshot;
+  picture->job = request.job;
+  picture->layer = request.layer;
+  picture->display = request.display;
+  develop_picture(*request.snapshot, request.layer, request.display, picture->image);
+  picture->histogram = make_histogram(request.snapshot->layer(request.layer));
+  queue_.post([this, picture = std::move(picture)] { developed_(picture); });
 }
 
 }  // namespace guidelight

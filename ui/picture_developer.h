@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "renderer/image/tonemap.h"
-#include "renderer/session/snapshot.h"
+#include "renderer/session/render_session.h"
 #include "ui/histogram.h"
 #include "ui/ui_queue.h"
 
@@ -17,6 +17,7 @@ namespace guidelight {
 /// A picture ready for the screen, and what it was made of.
 struct Picture {
   std::shared_ptr<const Snapshot> snapshot;
+  std::shared_ptr<const RenderJob> job;  // that the snapshot is of
   Layer layer = Layer::Beauty;
   DisplaySettings display;
   DisplayImage image;
@@ -30,28 +31,32 @@ void develop_picture(const Snapshot& snapshot, Layer layer, const DisplaySetting
 /// Makes pictures in a thread of its own, so that tone mapping never holds up the window.
 class PictureDeveloper {
  public:
-  /// `developed` is called on the UI thread.
-  PictureDeveloper(UiQueue& queue, std::function<void(std::shared_ptr<const Picture>)> developed);
+  /// `developed`, and `failed` with the reason, are called on the UI thread.
+  PictureDeveloper(UiQueue& queue, std::function<void(std::shared_ptr<const Picture>)> developed,
+                   std::function<void(const std::string&)> failed);
   ~PictureDeveloper();
   PictureDeveloper(const PictureDeveloper&) = delete;
   PictureDeveloper& operator=(const PictureDeveloper&) = delete;
 
   /// Asks for a picture unless the last one asked for is the same. A newer request replaces an
   /// older one that has not been begun.
-  void request(std::shared_ptr<const Snapshot> snapshot, Layer layer,
-               const DisplaySettings& display);
+  void request(std::shared_ptr<const Snapshot> snapshot, std::shared_ptr<const RenderJob> job,
+               Layer layer, const DisplaySettings& display);
 
  private:
   struct Request {
     std::shared_ptr<const Snapshot> snapshot;
+    std::shared_ptr<const RenderJob> job;
     Layer layer;
     DisplaySettings display;
     bool operator==(const Request& other) const;
   };
   void work();
+  void develop(const Request& request);
 
   UiQueue& queue_;
   std::function<void(std::shared_ptr<const Picture>)> developed_;
+  std::function<void(const std::string&)> failed_;
   std::optional<Request> last_;  // UI thread only
   std::mutex mutex_;
   std::condition_variable changed_;

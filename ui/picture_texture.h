@@ -6,7 +6,11 @@
 
 namespace guidelight {
 
-/// A display picture in an OpenGL texture. Needs the window's context while it lives.
+/// Every n-th pixel, so that no side is longer than `longest`; the middle of each square of n × n.
+DisplayImage reduced(const DisplayImage& image, int longest);
+
+/// A display picture in an OpenGL texture; reduced if it is larger than those can be. Needs the
+/// window's context while it lives.
 class PictureTexture {
  public:
   PictureTexture() = default;

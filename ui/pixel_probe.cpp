@@ -26,8 +26,11 @@ std::optional<PixelReport> probe_pixel(const Scene& scene, const Snapshot& snaps
   if (beauty.empty() || x < 0 || y < 0 || x >= snapshot.full_width || y >= snapshot.full_height) {
     return std::nullopt;
   }
-  const int column = std::min(x * beauty.width() / snapshot.full_width, beauty.width() - 1);
-  const int row = std::min(y * beauty.height() / snapshot.full_height, beauty.height() - 1);
+  const auto matching = [](int64_t i, int size, int full_size) {
+    return static_cast<int>(std::min<int64_t>(i * size / full_size, size - 1));
+  };
+  const int column = matching(x, beauty.width(), snapshot.full_width);
+  const int row = matching(y, beauty.height(), snapshot.full_height);
   const auto value = [&](Layer layer) { return snapshot.layer(layer).color(column, row); };
   PixelReport report;
   report.x = x;

@@ -61,17 +61,53 @@ void draw_curve_legend(std::span<const PlotCurve> curves) {
   }
 }
 
-}  // namespace
+struct PlotRanges {
+  PlotRange x;
+  PlotRange y;
+  bool show(Vec2 point) const { return x.shows(point.x) && y.shows(point.y); }
+};
 
-void draw_plot(const char* id, std::span<const PlotCurve> curves, const PlotAxes& axes) {
-  PlotRange x(axes.logarithmic_x), y(axes.logarithmic_y);
+PlotRanges ranges_of(std::span<const PlotCurve> curves, const PlotAxes& axes) {
+  PlotRanges ranges{PlotRange(axes.logarithmic_x), PlotRange(axes.logarithmic_y)};
   for (const PlotCurve& curve : curves) {
     for (const Vec2 point : curve.points) {
-      if (!x.shows(point.x) || !y.shows(point.y)) continue;
-      x.extend(point.x);
-      y.extend(point.y);
+      if (!ranges.show(point)) continue;
+      ranges.x.extend(point.x);
+      ranges.y.extend(point.y);
     }
   }
+  return ranges;
+}
+
+/// By x; null for a curve without points that can be shown.
+const Vec2* nearest_point(const PlotCurve& curve, const PlotRanges& ranges, float x_share) {
+  const Vec2* nearest = nullptr;
+  const auto distance = [&](Vec2 point) { return std::abs(ranges.x.share(point.x) - x_share); };
+  for (const Vec2& point : curve.points) {
+    if (!ranges.show(point)) continue;
+    if (!nearest || distance(point) < distance(*nearest)) nearest = &point;
+  }
+  return nearest;
+}
+
+}  // namespace
+
+std::string plot_values(std::span<const PlotCurve> curves, const PlotAxes& axes, float x_share) {
+  const PlotRanges ranges = ranges_of(curves, axes);
+  std::string text;
+  for (const PlotCurve& curve : curves) {
+    const Vec2* point = nearest_point(curve, ranges, x_share);
+    if (!point) continue;
+    if (!text.empty()) text += "\n";
+    if (!curve.name.empty()) text += curve.name + ": ";
+    text += with_plot_unit(point->y, axes.y_unit) + " at " + with_plot_unit(point->x, axes.x_unit);
+  }
+  return text;
+}
+
+void draw_plot(const char* id, std::span<const PlotCurve> curves, const PlotAxes& axes) {
+  const PlotRanges ranges = ranges_of(curves, axes);
+  const auto& [x, y] = ranges;
   const Vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
   const Vec2 size(std::max(1.0f, ImGui::GetContentRegionAvail().x), scaled(kPlotHeight));
   ImGui::InvisibleButton(id, to_imgui(size));
@@ -82,6 +118,8 @@ void draw_plot(const char* id, std::span<const PlotCurve> curves, const PlotAxes
     return;
   }
   const float margin = scaled(7);
+  const float mouse = (ImGui::GetMousePos().x - corner.x - margin) / (size.x - 2 * margin);
+  if (ImGui::IsItemHovered()) tooltip(plot_values(curves, axes, mouse));
   const auto place = [&](Vec2 point) {
     const Vec2 share(x.share(point.x), 1 - y.share(point.y));
     return corner + margin + share * (size - 2 * margin);
@@ -89,7 +127,7 @@ void draw_plot(const char* id, std::span<const PlotCurve> curves, const PlotAxes
   for (const PlotCurve& curve : curves) {
     std::vector<ImVec2> line;
     for (const Vec2 point : curve.points) {
-      if (x.shows(point.x) && y.shows(point.y)) line.push_back(to_imgui(place(point)));
+      if (ranges.show(point)) line.push_back(to_imgui(place(point)));
     }
     if (line.size() == 1) list.AddCircleFilled(line[0], scaled(2), curve.color);
     list.AddPolyline(line.data(), static_cast<int>(line.size()), curve.color, 0, scaled(1.5f));

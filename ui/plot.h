@@ -25,6 +25,10 @@ struct PlotAxes {
   bool logarithmic_x = false;
   bool logarithmic_y = false;
 };
+/// Of each curve on a line of its own, the point nearest to a place along the x axis, 0 … 1 from
+/// its lower end. Empty if nothing is plotted.
+std::string plot_values(std::span<const PlotCurve> curves, const PlotAxes& axes, float x_share);
+
 void draw_plot(const char* id, std::span<const PlotCurve> curves, const PlotAxes& axes);
 
 }  // namespace guidelight

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "renderer/io/guide_file.h"
+#include "renderer/scene/film_size.h"
 #include "renderer/session/picture_export.h"
 
 namespace guidelight {
@@ -69,7 +70,7 @@ std::optional<RememberedSession> session_of(const Metadata& metadata) {
   const auto width = number_from<int>(size.substr(0, times));
   const auto height = number_from<int>(size.substr(std::min(times + 1, size.size())));
   const auto seed = number_from<uint64_t>(lookup(metadata, "seed"));
-  const bool has_pixels = width && height && *width > 0 && *height > 0;
+  const bool has_pixels = width && height && is_film_size(*width, *height);
   if (session.scene_path.empty() || session.integrator.empty() || !camera || !has_pixels || !seed) {
     return std::nullopt;
   }
@@ -86,29 +87,46 @@ std::optional<RememberedSession> session_of(const Metadata& metadata) {
   return session;
 }
 
+RenderJob job_of(const RememberedSession& session, const Scene& scene) {
+  const Camera camera = scene.camera()
+                            .with_resolution(session.width, session.height)
+                            .with_transform(session.camera_to_world);
+  RenderJob job;
+  job.scene = scene.with_camera(camera);
+  job.integrator = session.integrator;
+  std::shared_ptr<IntegratorSettings> parameters =
+      find_integrator(session.integrator).make_settings(scene.description().hints);
+  for (const auto& [key, text] : session.parameters) set_parameter(*parameters, key, text);
+  job.settings = std::move(parameters);
+  job.seed = session.seed;
+  job.region = session.region;
+  if (session.guides) {
+    std::vector<GuidePath> guides;
+    if (!session.guides->empty()) guides = parse_guides(*session.guides, "the picture's guides");
+    job.guides = std::make_shared<const std::vector<GuidePath>>(std::move(guides));
+  }
+  return job;
+}
+
 void restore_session(const RememberedSession& session, Document& document) {
+  const RenderJob job = job_of(session, document.scene());
   if (session.scene_hash != document.scene().description().file_hash) {
     document.messages().warning(session.scene_path +
                                 " has changed since this was saved; it may look different.");
   }
   RenderSettings settings = document.settings();
-  settings.integrator = session.integrator;
-  std::shared_ptr<IntegratorSettings> parameters =
-      find_integrator(session.integrator).make_settings(document.scene().description().hints);
-  for (const auto& [key, text] : session.parameters) set_parameter(*parameters, key, text);
-  settings.parameters = std::move(parameters);
+  settings.integrator = job.integrator;
+  settings.parameters = job.settings;
   settings.width = session.width;
   settings.height = session.height;
-  settings.seed = session.seed;
-  settings.region = session.region;
+  settings.seed = job.seed;
+  settings.region = job.region;
   document.set_settings(settings);
   document.move_camera(
       [&](CameraController& camera) { camera.set_to_world(session.camera_to_world); });
   document.find_pivot();
-  if (session.guides.empty()) return;
-  auto guides = parse_guides(session.guides, "the picture's guides");
-  if (guides_text(guides) != guides_text(*document.guides())) {
-    document.edit_guides(std::move(guides), "guides of the session");
+  if (job.guides && guides_text(*job.guides) != guides_text(*document.guides())) {
+    document.edit_guides(*job.guides, "guides of the session");
   }
 }
 

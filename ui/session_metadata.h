@@ -21,14 +21,19 @@ struct RememberedSession {
   uint64_t seed = 0;
   std::optional<PixelRegion> region;
   Mat4 camera_to_world{1.0f};
-  std::string guides;  // as guides_text() wrote them; empty if there were none
+  /// As guides_text() wrote them, "" if there were none; empty if nobody knows.
+  std::optional<std::string> guides;
 };
 
 /// Empty if the metadata are not those of a picture or checkpoint of ours.
 std::optional<RememberedSession> session_of(const Metadata& metadata);
 
-/// Gives a document whose scene has just been opened the settings and the camera of a session.
-/// Throws Error for an integrator, parameters or guides that do not exist.
+/// The render of a session, with the guides it had if that is known. Throws Error for a camera,
+/// integrator, parameters or guides that do not exist.
+RenderJob job_of(const RememberedSession& session, const Scene& scene);
+
+/// Gives a document whose scene is open the settings and the camera of a session. Throws what
+/// job_of() throws, before anything is changed.
 void restore_session(const RememberedSession& session, Document& document);
 
 }  // namespace guidelight

@@ -1,5 +1,7 @@
 #include "ui/ui_queue.h"
 
+#include <utility>
+
 namespace guidelight {
 
 void UiQueue::post(std::function<void()> function) {
@@ -10,12 +12,14 @@ void UiQueue::post(std::function<void()> function) {
 }
 
 void UiQueue::run() {
-  std::vector<std::function<void()>> functions;
-  {
-    const std::lock_guard lock(mutex_);
-    functions.swap(functions_);
+  std::unique_lock lock(mutex_);
+  for (size_t left = functions_.size(); left > 0; --left) {
+    const std::function<void()> function = std::move(functions_.front());
+    functions_.pop_front();
+    lock.unlock();
+    function();
+    lock.lock();
   }
-  for (const auto& function : functions) function();
 }
 
 void UiQueue::close() {

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <mutex>
-#include <vector>
 
 namespace guidelight {
 
@@ -14,7 +14,7 @@ class UiQueue {
   explicit UiQueue(std::function<void()> wake) : wake_(std::move(wake)) {}
 
   void post(std::function<void()> function);
-  /// Runs what was posted, in order. UI thread only.
+  /// Runs what was posted, in order. If one throws, the rest is for the next time. UI thread only.
   void run();
   /// Drops what was posted and all later posts; for the time when nobody is there to run them.
   void close();
@@ -22,7 +22,7 @@ class UiQueue {
  private:
   std::mutex mutex_;
   std::function<void()> wake_;
-  std::vector<std::function<void()>> functions_;
+  std::deque<std::function<void()>> functions_;
   bool closed_ = false;
 };
 

@@ -11,6 +11,8 @@ constexpr float kOrbitPerHeight = kPi;  // [rad] for a drag over the height of t
 constexpr float kLookPerHeight = 1.2f;  // [rad]
 constexpr float kZoomPerStep = 1.25f;
 constexpr float kSpeedPerStep = 1.3f;
+constexpr float kSlowest = 1e-4f;  // flight [radii of the scene per second]
+constexpr float kFastest = 1e2f;
 constexpr float kLongestStep = 0.05f;  // [s] of flight per frame, if frames take longer
 
 struct Button {
@@ -62,7 +64,8 @@ void ViewMouse::go_on(Document& document, Toolbox& toolbox, const ToolView& view
   const Vec2 moved = view.mouse - last_mouse_;
   last_mouse_ = view.mouse;
   if (gesture_ == Gesture::Fly) {
-    fly(target, document.scene().bounds().radius(), moved * (kLookPerHeight / target.room.y));
+    const Bounds bounds = document.scene().bounds();
+    fly(target, bounds.empty() ? 1 : bounds.radius(), moved * (kLookPerHeight / target.room.y));
     return;
   }
   if (moved == Vec2(0)) return;
@@ -104,7 +107,7 @@ void ViewMouse::end(Document& document, Toolbox& toolbox, const ToolView& view,
 void ViewMouse::turn_wheel(const NavigationTarget& target) {
   const float steps = ImGui::GetIO().MouseWheel;
   if (flying()) {
-    fly_speed_ *= std::pow(kSpeedPerStep, steps);
+    fly_speed_ = std::clamp(fly_speed_ * std::pow(kSpeedPerStep, steps), kSlowest, kFastest);
     return;
   }
   const auto gesture = gesture_for(MouseInput::Wheel, window_.modifiers());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <exception>
 #include <filesystem>
 #include <thread>
 #include <utility>
@@ -54,7 +55,10 @@ class Viewer {
 
   bool animating() const { return view_.animating() || scout_.animating(); }
   void handle_key(int key, int modifiers, bool is_repeat);
-  void perform(Action action) { guidelight::perform(action, bench_); }
+  void perform(Action action) {
+    attempt([&] { guidelight::perform(action, bench_); });
+  }
+  void attempt(const std::function<void()>& act);
   void show_new_scene();
 
   std::shared_ptr<UiQueue> queue_ = std::make_shared<UiQueue>(&Window::wake);
@@ -62,7 +66,7 @@ class Viewer {
   Document document_{&Window::wake};
   PictureDeveloper developer_;
   Toolbox toolbox_;
-  DisplayScene display_{*queue_};
+  DisplayScene display_{*queue_, document_.messages()};
   Comparison comparison_{document_, *queue_};
   RenderView view_{window_, display_, comparison_};
   ScoutView scout_{window_, display_};
@@ -90,7 +94,10 @@ Viewer::Viewer(const ViewerOptions& options)
     : window_("Guidelight", options.ui_scale),
       developer_(
           *queue_,
-          [this](std::shared_ptr<const Picture> picture) { view_.show(std::move(picture)); }),
+          [this](std::shared_ptr<const Picture> picture) { view_.show(std::move(picture)); },
+          [this](const std::string& reason) {
+            document_.messages().error("The picture cannot be shown: " + reason);
+          }),
       exporter_(document_, *queue_, current_folder()),
       checkpoints_(document_, queue_, current_folder()),
       opener_(document_, queue_, [this] { show_new_scene(); }),
@@ -104,7 +111,7 @@ Viewer::Viewer(const ViewerOptions& options)
   document_.override_settings(overrides);
   window_.on_key = [this](auto... key) { handle_key(key...); };
   window_.on_drop = [this](const std::vector<std::string>& paths) {
-    if (!paths.empty()) opener_.open(paths.front());
+    if (!paths.empty()) attempt([&] { opener_.open(paths.front()); });
   };
   if (!options.scene_path.empty()) opener_.open(options.scene_path, options.defines);
 }
@@ -116,7 +123,7 @@ void Viewer::run() {
   while (!window_.should_close()) {
     wait_for_next_frame(frame_began);
     frame_began = Clock::now();
-    queue_->run();
+    attempt([this] { queue_->run(); });
     if (!ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive()) document_.seal_edits();
     document_.update(frame_began);
     checkpoints_.update(frame_began);
@@ -125,11 +132,21 @@ void Viewer::run() {
     display_.update(document_, frame_began);
     comparison_.update(frame_began);
     if (document_.picture()) {
-      developer_.request(document_.picture(), document_.view().layer, document_.view().current());
+      developer_.request(document_.picture(), document_.shared_picture_job(),
+                         document_.view().layer, document_.view().current());
     }
     update_title();
     draw_frame();
     if (on_frame_) on_frame_(std::chrono::duration<double>(Clock::now() - frame_began).count());
+  }
+}
+
+/// What nobody expected to fail is said, and the window stays open.
+void Viewer::attempt(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const std::exception& error) {
+    document_.messages().error(error.what());
   }
 }
 
@@ -178,18 +195,19 @@ void Viewer::draw_frame() {
     state_.capture_requested = false;
     DisplayImage capture;
     window_.end_frame(&capture);
-    exporter_.save_drawing(std::move(capture), "-window");
+    exporter_.save_drawing(std::move(capture), view_.picture().get(), "-window");
   } else {
     window_.end_frame();
   }
 }
 
 void Viewer::save_figure() {
-  if (!view_.picture() || !document_.picture()) {
+  if (!view_.picture()) {
     document_.messages().warning("There is no picture for a figure yet.");
     return;
   }
-  exporter_.save_drawing(paint_figure(document_, *view_.picture()), "-figure");
+  const Picture& picture = *view_.picture();
+  exporter_.save_drawing(paint_figure(document_, picture), &picture, "-figure");
 }
 
 void Viewer::draw_views() {
@@ -273,6 +291,7 @@ void Viewer::handle_key(int key, int modifiers, bool is_repeat) {
 
 void Viewer::show_new_scene() {
   toolbox_.use_default();
+  view_.show(nullptr);
   view_.transform().fit();
   display_.show(document_.opened().scene);
   scout_.show(document_);

@@ -236,6 +236,8 @@ TEST_F(CommandLine, bad_arguments_have_status_2) {
   EXPECT_EQ(render("-o a.exr --crop 0,0,64,64").status, 2);
   EXPECT_EQ(render("-o picture.gif").status, 2);
   EXPECT_EQ(run("render '" + scene() + "' -o a.exr --size 12").status, 2);
+  EXPECT_EQ(run("view --size 0x0").status, 2);
+  EXPECT_EQ(run("view --size 70000x1").status, 2);
   EXPECT_EQ(run("compare a.exr").status, 2);
   EXPECT_EQ(run("--help").status, 0);
 }

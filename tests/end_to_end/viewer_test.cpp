@@ -112,6 +112,37 @@ TEST_F(ViewerTest, EveryWayToMoveTheCameraChangesThePicture) {
   moved_and_reset("frame");
 }
 
+TEST_F(ViewerTest, TheWildestMotionsLeaveTheWindowOpen) {
+  const std::string path = (folder() / "empty.xml").string();
+  std::ofstream(path) << R"(<scene version="3.0.0"><emitter type="constant"/></scene>)";
+  for (const std::string& file : {write_scene("ball.xml"), path}) {
+    start({file, "--size", "64x48"});
+    ASSERT_TRUE(wait_for_picture()) << file;
+    driver_->set_pace(0ms);
+    driver_->move_mouse(kViewCenter);
+    const auto turn_wheel = [&](Mouse direction) {
+      for (int i = 0; i < 2000; ++i) {
+        driver_->hold_button(direction, true);
+        driver_->hold_button(direction, false);
+      }
+    };
+    turn_wheel(Mouse::WheelDown);
+    driver_->set_pace(50ms);
+    driver_->hold_button(Mouse::Right, true);
+    driver_->move_mouse({kViewCenter.x + 40, kViewCenter.y});
+    driver_->set_pace(0ms);
+    turn_wheel(Mouse::WheelUp);  // flies faster
+    driver_->set_pace(50ms);
+    driver_->hold_key("w", true);
+    std::this_thread::sleep_for(500ms);
+    driver_->hold_key("w", false);
+    driver_->hold_button(Mouse::Right, false);
+    EXPECT_FALSE(viewer_->wait(1s)) << "the window has closed";
+    driver_->close_window();
+    EXPECT_EQ(viewer_->wait(10s), 0) << file;
+  }
+}
+
 // -- Rendering.
 
 TEST_F(ViewerTest, PauseFreezesThePassCounter) {
@@ -272,6 +303,18 @@ TEST_F(ViewerTest, ShiftF12SavesTheWindow) {
   const Image window = read_image(path.string());
   EXPECT_EQ(window.width(), 1280);
   EXPECT_EQ(window.height(), 720);
+}
+
+TEST_F(ViewerTest, AnExposureThatIsTypedStaysWithinLimits) {
+  start({write_scene("ball.xml"), "--size", "64x48"});
+  ASSERT_TRUE(wait_for_full_picture());
+  constexpr int kInRightPanel = 1150;
+  driver_->hold_key("Control_L", true);
+  driver_->click(fields_at(kInRightPanel).at(1));  // after the layer
+  driver_->hold_key("Control_L", false);
+  std::this_thread::sleep_for(500ms);
+  driver_->type("500\n");
+  EXPECT_TRUE(wait_until([&] { return read_metadata(save_png()).at("exposure") == "20"; }));
 }
 
 // -- How it feels: figures to look at, not limits to pass, since machines differ.

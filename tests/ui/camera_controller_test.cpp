@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <glm/gtc/matrix_transform.hpp>
+#include <limits>
 
 namespace guidelight {
 namespace {
@@ -98,6 +99,17 @@ TEST(CameraController, PanMovesThePivotsPlaneWithTheMouse) {
   }
 }
 
+TEST(CameraController, PanFollowsTheMouseInAnEnlargedOrthographicView) {
+  const Camera plain = camera_on_z(CameraModel::Orthographic);
+  const Camera camera =
+      plain.with_transform(plain.description().to_world * glm::scale(Mat4(1), Vec3(3)));
+  CameraController controller(camera, 10);
+  controller.pan({0.2f, -0.1f});
+  const Vec2 raster = raster_of(camera, controller, Vec3(0));
+  EXPECT_NEAR(raster.x, 100 + 0.2f * 100, 0.1f);
+  EXPECT_NEAR(raster.y, 50 - 0.1f * 100, 0.1f);
+}
+
 TEST(CameraController, DollyNearsButNeverReachesThePivot) {
   CameraController controller(camera_on_z(), 10);
   controller.dolly(1);
@@ -147,6 +159,43 @@ TEST(CameraController, FramesNothingWithoutBounds) {
   CameraController controller(camera_on_z(), 10);
   controller.frame(Bounds());
   expect_near(controller.position(), {0, 0, 10});
+}
+
+TEST(CameraController, NoAmountOfDollyingMakesTheCameraUnusable) {
+  for (const CameraModel model : {CameraModel::Perspective, CameraModel::Orthographic}) {
+    const Camera camera = camera_on_z(model);
+    for (const float step : {1.0f, -1.0f}) {
+      CameraController controller(camera, 10, 5);
+      for (int i = 0; i < 3000; ++i) controller.dolly(step);
+      const Camera moved = camera.with_transform(controller.to_world());
+      EXPECT_LT(glm::length(moved.position()), 1e6f);
+      EXPECT_GT(moved.pixel_size_at_unit_distance(), 1e-9f);
+      EXPECT_LT(moved.pixel_size_at_unit_distance(), 1e6f);
+      for (int i = 0; i < 3000; ++i) controller.dolly(-step);
+      for (int i = 0; i < 40; ++i) controller.dolly(step);
+      EXPECT_TRUE(is_finite(controller.pivot())) << "there is a way back";
+    }
+  }
+}
+
+TEST(CameraController, ACameraFarAwayDolliesNoFartherAndComesBack) {
+  CameraController controller(camera_on_z(), 1e6f, 1);
+  controller.dolly(-1);
+  EXPECT_FLOAT_EQ(controller.pivot_distance(), 1e6f);
+  controller.dolly(1);
+  EXPECT_FLOAT_EQ(controller.pivot_distance(), 0.9e6f);
+}
+
+TEST(CameraController, StaysWhereItIsRatherThanWhereNoCameraCanBe) {
+  CameraController controller(camera_on_z(), 10);
+  const Mat4 before = controller.to_world();
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  controller.move([&](CameraController& camera) { camera.fly({nan, 0, 0}); });
+  controller.move([](CameraController& camera) { camera.fly({0, 0, 1e12f}); });
+  controller.move([](CameraController& camera) { camera.set_to_world(Mat4(0.0f)); });
+  EXPECT_EQ(controller.to_world(), before);
+  controller.move([](CameraController& camera) { camera.fly({0, 0, 1}); });
+  expect_near(controller.position(), {0, 0, 9});
 }
 
 TEST(CameraController, KeepsAMirroredCameraMirrored) {

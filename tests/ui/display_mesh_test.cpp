@@ -4,8 +4,41 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "renderer/scene/shape.h"
+
 namespace guidelight {
 namespace {
+
+TEST(DisplayMesh, TooManyTrianglesOfInstancesBecomeBoxesTheHeaviestGroupsFirst) {
+  SceneDescription scene;
+  auto quad = std::make_shared<Mesh>();
+  quad->positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  quad->triangles = {{0, 1, 2}, {0, 2, 3}};
+  auto heavy = std::make_shared<Mesh>(*quad);
+  heavy->positions = {{0, 0, 0}, {2, 0, 0}, {2, 3, 4}, {0, 3, 4}};
+  for (int i = 0; i < 99; ++i) heavy->triangles.push_back({0, 1, 2});
+  for (const auto& mesh : {quad, heavy}) {
+    ShapeDescription shape;
+    shape.geometry = MeshShape{mesh};
+    scene.groups.push_back({"", 0, {shape}});
+  }
+  ShapeDescription copy;
+  copy.to_world = glm::translate(Mat4(1), Vec3(10, 0, 0));
+  for (int i = 0; i < 10; ++i) {
+    copy.geometry = InstanceShape{i % 2};
+    scene.shapes.push_back(copy);
+  }
+  const size_t all = 5 * 2 + 5 * 101;
+  EXPECT_EQ(make_display_mesh(scene, all).vertices.size(), 3 * all);
+  EXPECT_EQ(make_display_mesh(scene, all).boxes, 0u);
+  const DisplayMesh mesh = make_display_mesh(scene, all - 1);
+  EXPECT_EQ(mesh.boxes, 5u);
+  EXPECT_EQ(mesh.vertices.size(), 3u * (5 * 2 + 5 * 12));
+  Bounds bounds;
+  for (const auto& vertex : mesh.vertices) bounds.extend(vertex.position);
+  EXPECT_EQ(bounds.lower, Vec3(10, 0, 0));
+  EXPECT_EQ(bounds.upper, Vec3(12, 3, 4)) << "a box is as large as what it stands for";
+}
 
 TEST(DisplayMesh, InstancesAndAnalyticShapesStandWhereTheyAre) {
   SceneDescription scene;

@@ -186,6 +186,32 @@ TEST_F(DocumentTest, RadianceLayersShareTheirExposure) {
   EXPECT_EQ(document_.view().current().exposure, 0);
 }
 
+TEST_F(DocumentTest, TheExposureHasLimits) {
+  document_.step_exposure(0.25f);
+  EXPECT_EQ(document_.view().current().exposure, 0.25f);
+  for (int i = 0; i < 1000; ++i) document_.step_exposure(0.25f);
+  EXPECT_EQ(document_.view().current().exposure, kLargestExposure);
+  for (int i = 0; i < 1000; ++i) document_.step_exposure(-0.25f);
+  EXPECT_EQ(document_.view().current().exposure, -kLargestExposure);
+}
+
+TEST_F(DocumentTest, TheProbeReadsPicturesOfAnySize) {
+  open_room(1, 1);
+  constexpr int kWidth = 60'000;
+  auto layers = std::make_shared<Snapshot::Layers>();
+  for (const Layer layer : kAllLayers) {
+    (*layers)[static_cast<size_t>(layer)] = Image(kWidth, 1, layer_channels(layer));
+  }
+  (*layers)[static_cast<size_t>(Layer::Beauty)].pixel(kWidth - 1, 0)[0] = 5;
+  Snapshot snapshot;
+  snapshot.layers = layers;
+  snapshot.full_width = kWidth;
+  snapshot.full_height = 1;
+  const auto report = probe_pixel(document_.scene(), snapshot, kWidth - 1, 0);
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->radiance.r, 5);
+}
+
 TEST_F(DocumentTest, TheProbeSeesWhatTheRayHits) {
   open_room();
   ASSERT_TRUE(wait_for_full_picture());
@@ -230,6 +256,61 @@ TEST_F(DocumentTest, ASessionIsRestoredFromTheMetadataOfItsPicture) {
   EXPECT_EQ(document_.settings().region, (PixelRegion{1, 2, 10, 7}));
   EXPECT_EQ(session->parameters.at("max_depth"), "5");
   EXPECT_EQ(parameter_text(document_.settings().parameters->clone()->parameters().front()), "5");
+}
+
+GuidePath guide_between(const std::string& name, Vec3 a, Vec3 b) {
+  GuidePath guide;
+  guide.name = name;
+  guide.vertices.resize(2);
+  guide.vertices[0].position = a;
+  guide.vertices[1].position = b;
+  return guide;
+}
+
+TEST_F(DocumentTest, WhatIsFramedIsTheSelectedGuideOrLightPathOrTheScene) {
+  open_room();
+  const Bounds scene = document_.scene().bounds();
+  EXPECT_EQ(document_.bounds_of_selection().upper, scene.upper);
+  document_.edit_guides({guide_between("a", {1, 2, 3}, {2, 2, 3})}, "test");
+  EXPECT_EQ(document_.bounds_of_selection().upper, scene.upper);
+  document_.guide_view().selected = 0;
+  EXPECT_NEAR(document_.bounds_of_selection().lower.x, 0.95f, 1e-5f);
+  EXPECT_NEAR(document_.bounds_of_selection().upper.x, 2.05f, 1e-5f);
+  EXPECT_NEAR(document_.bounds_of_selection().upper.y, 2.05f, 1e-5f);
+  document_.guide_view().selected.reset();
+  document_.harvest().paths.emplace_back().guide = guide_between("", {0, 0, 0}, {0, 4, 0});
+  document_.harvest().selected = 0;
+  EXPECT_NEAR(document_.bounds_of_selection().upper.y, 4.2f, 1e-5f);
+}
+
+TEST_F(DocumentTest, UndoKeepsTheSameGuideSelectedAndAlone) {
+  open_room();
+  const GuidePath a = guide_between("a", {0, 0, 0}, {0, 0, 1});
+  const GuidePath b = guide_between("b", {0, 0, 0}, {0, 1, 0});
+  const auto selected = [&] {
+    const auto& index = document_.guide_view().selected;
+    return index ? (*document_.guides())[*index].name : "none";
+  };
+  const auto alone = [&] {
+    const auto& index = document_.guide_view().solo;
+    return index ? (*document_.guides())[*index].name : "none";
+  };
+  document_.edit_guides({a, b}, "two");
+  document_.edit_guides({b}, "delete guide");
+  document_.guide_view().selected = 0;
+  document_.set_solo(0);
+  document_.undo();
+  EXPECT_EQ(selected(), "b");
+  EXPECT_EQ(alone(), "b");
+  document_.guide_view().selected = 0;
+  document_.redo();
+  EXPECT_EQ(selected(), "none") << "it is gone";
+  EXPECT_EQ(alone(), "b");
+
+  document_.edit_guides({guide_between("c", {1, 0, 0}, {0, 1, 0})}, "changed");
+  document_.guide_view().selected = 0;
+  document_.undo();
+  EXPECT_EQ(selected(), "b") << "a change of a guide is still of that guide";
 }
 
 TEST_F(DocumentTest, TargetsDoNotRestart) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <stdexcept>
 #include <thread>
 
 #include "ui/background_thread.h"
@@ -25,6 +26,17 @@ TEST(UiQueue, RunsInOrderOnTheThreadThatAsks) {
   EXPECT_EQ(order, (std::vector{1, 2}));
   queue.run();
   EXPECT_EQ(order, (std::vector{1, 2, 3}));
+}
+
+TEST(UiQueue, KeepsTheRestWhenOneThrows) {
+  UiQueue queue([] {});
+  bool ran = false;
+  queue.post([] { throw std::runtime_error("no"); });
+  queue.post([&] { ran = true; });
+  EXPECT_THROW(queue.run(), std::runtime_error);
+  EXPECT_FALSE(ran);
+  queue.run();
+  EXPECT_TRUE(ran);
 }
 
 TEST(UiQueue, DropsEverythingOnceClosed) {
@@ -62,6 +74,18 @@ TEST(BackgroundThread, FinishesItsJobsInOrderBeforeItGoes) {
   }
   ASSERT_EQ(order.size(), 100u);
   EXPECT_TRUE(std::ranges::is_sorted(order));
+}
+
+TEST(BackgroundThread, SaysWhyAJobFailedAndGoesOn) {
+  std::vector<std::string> said;
+  {
+    BackgroundThread thread;
+    const auto failed = [&](const std::string& reason) { said.push_back(reason); };
+    thread.run([] { throw std::runtime_error("no"); }, failed);
+    thread.run([] { throw std::bad_alloc(); }, failed);
+    thread.run([&] { said.emplace_back("done"); }, failed);
+  }
+  EXPECT_EQ(said, (std::vector<std::string>{"no", "there is not enough memory", "done"}));
 }
 
 }  // namespace

@@ -132,7 +132,7 @@ void Comparison::update(Document::Clock::time_point now) {
 
 void Comparison::measure(std::shared_ptr<const Snapshot> snapshot) {
   busy_ = true;
-  worker_.run([this, snapshot, other = other().image, reference = reference_.image] {
+  const auto measure = [this, snapshot, other = other().image, reference = reference_.image] {
     const Image& image = snapshot->layer(Layer::Beauty);
     const ImageMetrics metrics = compare_images(image, *other);
     const auto errors = develop_errors(image, *other);
@@ -142,6 +142,12 @@ void Comparison::measure(std::shared_ptr<const Snapshot> snapshot) {
       error_displayed_ = errors;
       if (other != reference || snapshot->job != curve_job_) return;
       curve_.add({snapshot->seconds, metrics.relative_mse.plain, metrics.rms_relative_error.plain});
+    });
+  };
+  worker_.run(measure, [this](const std::string& reason) {
+    queue_.post([this, reason] {
+      busy_ = false;
+      cannot_compare(reason);
     });
   });
 }
@@ -154,11 +160,18 @@ void Comparison::develop_other() {
     other_displayed_ = nullptr;
     return;
   }
-  worker_.run([this, wanted] {
+  const auto develop = [this, wanted] {
     queue_.post([this, wanted, image = develop_image(*wanted.image, wanted.display)] {
       if (wanted == developed_) other_displayed_ = image;
     });
+  };
+  worker_.run(develop, [this](const std::string& reason) {
+    queue_.post([this, reason] { cannot_compare(reason); });
   });
+}
+
+void Comparison::cannot_compare(const std::string& reason) {
+  document_.messages().error("The pictures cannot be compared: " + reason);
 }
 
 }  // namespace guidelight

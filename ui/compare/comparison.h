@@ -82,6 +82,7 @@ class Comparison {
   void forget_errors();
   void develop_other();
   void measure(std::shared_ptr<const Snapshot> snapshot);
+  void cannot_compare(const std::string& reason);
 
   Document& document_;
   UiQueue& queue_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -17,28 +18,36 @@ class GuideSaver {
   using Clock = Document::Clock;
 
   GuideSaver(Document& document, UiQueue& queue) : document_(document), queue_(queue) {}
-  ~GuideSaver() { flush(); }
+  ~GuideSaver();
 
   /// To be called once per frame.
   void update(Clock::time_point now);
-  /// Whether a change waits to be saved; it is when update() is called later.
-  bool pending() const { return list_ != saved_; }
+  /// Whether a change waits to be saved; it is when update() is called later. What could not be
+  /// saved is tried again with the next change, and at the end.
+  bool pending() const { return list_ != tried_; }
   const std::string& path() const { return path_; }
 
  private:
-  void flush();
-  void write(const std::string& path, const GuideList& list, bool is_unreadable);
+  using Report = std::function<void(const std::string&)>;
+
+  void flush(Report failed);
+  void save(const std::string& path, const GuideList& list, const Report& failed);
+  void set_aside(const std::string& path);
 
   Document& document_;
   UiQueue& queue_;
   std::string path_;  // empty before the first scene
   uint64_t scene_ = 0;
   GuideList list_;
-  GuideList saved_;
-  bool is_unreadable_ = false;  // the file; it is put aside, not overwritten
+  GuideList tried_;  // given to the writer last
+  GuideList saved_;  // as far as the writer has said
   Clock::time_point changed_at_;
-  std::filesystem::file_time_type known_;  // of the file when it was last ours; used by the writer
-  BackgroundThread writer_;                // last: it finishes before the rest goes
+  struct {
+    GuideList list;                         // that is in the file
+    std::filesystem::file_time_type known;  // of the file when it was last ours
+    bool is_unreadable = false;             // it is put aside, not overwritten
+  } file_;                                  // used by the writer alone
+  BackgroundThread writer_;                 // last: it finishes before the rest goes
 };
 
 }  // namespace guidelight

@@ -20,7 +20,7 @@ void Harvester::update(bool wanted) {
   document_.harvest() = {subject.region, {}, {}, subject.region.has_value()};
   if (!subject.region) return;
   busy_ = true;
-  worker_.run([this, subject, scene = document_.current_scene()] {
+  const auto search = [this, subject, scene = document_.current_scene()] {
     auto paths = harvest(*scene, *subject.region, kSamples, kPathsShown, stop_);
     queue_.post([this, subject, paths = std::move(paths)] {
       busy_ = false;
@@ -29,6 +29,13 @@ void Harvester::update(bool wanted) {
         return;
       }
       if (subject == subject_) document_.harvest() = {subject.region, paths, {}, false};
+    });
+  };
+  worker_.run(search, [this](const std::string& reason) {
+    queue_.post([this, text = "Light paths cannot be searched for: " + reason] {
+      busy_ = stop_ = false;
+      document_.harvest().searching = false;
+      document_.messages().error(text);
     });
   });
 }

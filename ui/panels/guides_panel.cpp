@@ -97,7 +97,9 @@ void draw_guide_row(Document& document, size_t i, double total) {
     ImGui::SameLine(0, scaled(4));
   }
   const std::string name = shortened(guide.name, ImGui::GetContentRegionAvail().x - scaled(4));
-  if (ImGui::Selectable((name + "##name").c_str(), view.selected == i)) view.selected = i;
+  if (ImGui::Selectable((name + "##name").c_str(), view.selected == i)) {
+    view.selected = view.selected == i ? std::nullopt : std::optional(i);
+  }
   if (!faults.empty()) tooltip("Cannot be followed: " + faults.front().message);
 
   ImGui::TableNextColumn();

@@ -40,7 +40,7 @@ void draw_path_row(Harvest& harvest, size_t i) {
   const std::string shown = shortened(path.guide.name, ImGui::GetContentRegionAvail().x);
   if (ImGui::Selectable(shown.c_str(), harvest.selected == i,
                         ImGuiSelectableFlags_SpanAllColumns)) {
-    harvest.selected = i;
+    harvest.selected = harvest.selected == i ? std::nullopt : std::optional(i);
   }
   tooltip(fmt::format("{} of the light that was found comes by way of {}", share, path.guide.name));
   ImGui::PopID();

@@ -36,7 +36,8 @@ void draw_exposure(DisplaySettings& display, const Perform& perform) {
   const float auto_width = ImGui::CalcTextSize("Auto").x + 2 * ImGui::GetStyle().FramePadding.x;
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - auto_width - gap);
-  ImGui::SliderFloat("##exposure", &display.exposure, -10, 10, "%+.2f EV");
+  ImGui::SliderFloat("##exposure", &display.exposure, -kLargestExposure, kLargestExposure,
+                     "%+.2f EV", ImGuiSliderFlags_AlwaysClamp);
   ImGui::SameLine(0, gap);
   if (ImGui::Button("Auto")) perform(Action::NormaliseExposure);
   tooltip(fmt::format("{} ({})", action_label(Action::NormaliseExposure),
@@ -67,12 +68,12 @@ void draw_curve_parameters(Layer layer, DisplaySettings& display) {
   switch (display.curve) {
     case ToneCurve::Gamma:
       row("Gamma", "Values are shown to the power of 1/gamma");
-      ImGui::SliderFloat("##gamma", &display.gamma, 0.5f, 4, "%.2f");
+      ImGui::SliderFloat("##gamma", &display.gamma, 0.5f, 4, "%.2f", ImGuiSliderFlags_AlwaysClamp);
       break;
     case ToneCurve::Reinhard:
       row("White", "The smallest luminance that is shown as white");
       ImGui::SliderFloat("##white", &display.reinhard_white, 0.5f, 1000, "%.4g",
-                         ImGuiSliderFlags_Logarithmic);
+                         ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
       break;
     case ToneCurve::FalseColor:
       draw_false_color(layer, display);

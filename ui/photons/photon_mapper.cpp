@@ -31,8 +31,8 @@ void PhotonMapper::update(const std::shared_ptr<const PhotonCloud>& cloud, bool 
   }
   busy_ = true;
   begun_ = now;
-  worker_.run([this, cloud, density_wanted, mesh = mesh_, surfaces = surfaces_,
-               reach = kFarthest * scene_radius_]() mutable {
+  const auto map = [this, cloud, density_wanted, mesh = mesh_, surfaces = surfaces_,
+                    reach = kFarthest * scene_radius_]() mutable {
     Parallel alone(1, nullptr, Priority::Background);
     auto knowledge = std::make_shared<PhotonKnowledge>(
         PhotonKnowledge{PhotonSearch(*cloud, reach, alone), std::nullopt});
@@ -45,6 +45,12 @@ void PhotonMapper::update(const std::shared_ptr<const PhotonCloud>& cloud, bool 
       if (mesh != mesh_) return;  // of another scene by now
       surfaces_ = surfaces;
       if (cloud == known_) found_(knowledge);
+    });
+  };
+  worker_.run(map, [this](const std::string& reason) {
+    queue_.post([this, text = "The photons cannot be looked at: " + reason] {
+      busy_ = false;
+      messages_.error(text);
     });
   });
 }

@@ -21,8 +21,9 @@ struct PhotonKnowledge {
 class PhotonMapper {
  public:
   /// `found` is called on the UI thread.
-  PhotonMapper(UiQueue& queue, std::function<void(std::shared_ptr<const PhotonKnowledge>)> found)
-      : queue_(queue), found_(std::move(found)) {}
+  PhotonMapper(UiQueue& queue, Messages& messages,
+               std::function<void(std::shared_ptr<const PhotonKnowledge>)> found)
+      : queue_(queue), messages_(messages), found_(std::move(found)) {}
 
   /// Another scene: `mesh` are its triangles.
   void show(std::shared_ptr<const DisplayMesh> mesh, float scene_radius);
@@ -34,6 +35,7 @@ class PhotonMapper {
 
  private:
   UiQueue& queue_;
+  Messages& messages_;
   std::function<void(std::shared_ptr<const PhotonKnowledge>)> found_;
   std::shared_ptr<const DisplayMesh> surfaces_;  // finely divided; null before they are wanted
   std::shared_ptr<const DisplayMesh> mesh_;

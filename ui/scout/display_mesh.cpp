@@ -1,6 +1,11 @@
 #include "ui/scout/display_mesh.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
+
+#include "renderer/scene/shape.h"
 
 namespace guidelight {
 namespace {
@@ -23,7 +28,8 @@ Vec3 around_z(int sector, float radius, float z) {
 /// Gathers the triangles of one shape after another.
 class Tessellator {
  public:
-  explicit Tessellator(const SceneDescription& scene) : scene_(scene) {}
+  Tessellator(const SceneDescription& scene, std::vector<bool> as_boxes)
+      : scene_(scene), as_boxes_(std::move(as_boxes)), bounds_(scene.groups.size()) {}
 
   void add(const ShapeDescription& shape, const Mat4& parent) {
     to_world_ = parent * shape.to_world;
@@ -85,8 +91,53 @@ class Tessellator {
 
   void tessellate(const InstanceShape& instance) {
     const Mat4 group_to_world = to_world_;
+    if (as_boxes_[instance.group]) {
+      ++mesh_.boxes;
+      add_box(group_bounds(instance.group));
+      return;
+    }
     for (const ShapeDescription& shape : scene_.groups[instance.group].shapes) {
       add(shape, group_to_world);
+    }
+  }
+
+  void add_box(const Bounds& bounds) {
+    if (bounds.empty()) return;
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const float side : {0.0f, 1.0f}) {
+        const auto corner = [&](float u, float v) {
+          Vec3 share;
+          share[axis] = side;
+          share[(axis + 1) % 3] = u;
+          share[(axis + 2) % 3] = v;
+          return glm::mix(bounds.lower, bounds.upper, share);
+        };
+        Vec3 n(0);
+        n[axis] = 2 * side - 1;
+        add_quad({corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)}, {n, n, n, n});
+      }
+    }
+  }
+
+  /// Of its shapes, when it is first asked for.
+  const Bounds& group_bounds(int group) {
+    if (!bounds_[group]) {
+      bounds_[group].emplace();
+      for (const ShapeDescription& shape : scene_.groups[group].shapes) {
+        extend(*bounds_[group], shape);
+      }
+    }
+    return *bounds_[group];
+  }
+
+  static void extend(Bounds& bounds, const ShapeDescription& shape) {
+    const auto extend = [&](Vec3 p) { bounds.extend(transform_point(shape.to_world, p)); };
+    if (const auto* mesh = std::get_if<MeshShape>(&shape.geometry)) {
+      if (mesh->mesh) std::ranges::for_each(mesh->mesh->positions, extend);
+      return;
+    }
+    for (int corner = 0; corner < 8; ++corner) {  // of a cube that holds every analytic shape
+      extend(2.0f * Vec3(corner & 1, corner >> 1 & 1, corner >> 2) - 1.0f);
     }
   }
 
@@ -102,16 +153,48 @@ class Tessellator {
   }
 
   const SceneDescription& scene_;
+  std::vector<bool> as_boxes_;  // per group
+  std::vector<std::optional<Bounds>> bounds_;
   DisplayMesh mesh_;
   Mat4 to_world_{1.0f};
   Mat3 normal_to_world_{1.0f};
   uint32_t color_ = 0;
 };
 
+size_t triangles_of(const ShapeDescription& shape) {
+  constexpr size_t kOfAnalyticShapes = 2 * kSectors * kRings;  // at most
+  const auto* mesh = std::get_if<MeshShape>(&shape.geometry);
+  if (!mesh) return kOfAnalyticShapes;
+  return mesh->mesh ? mesh->mesh->triangles.size() : 0;
+}
+
+/// Which groups are shown as boxes.
+std::vector<bool> groups_as_boxes(const SceneDescription& scene, size_t most_triangles) {
+  std::vector<size_t> triangles(scene.groups.size(), 0);  // in all instances of a group
+  std::vector<size_t> in_group(scene.groups.size(), 0);
+  for (size_t i = 0; i < scene.groups.size(); ++i) {
+    for (const ShapeDescription& shape : scene.groups[i].shapes) in_group[i] += triangles_of(shape);
+  }
+  size_t total = 0;
+  for (const ShapeDescription& shape : scene.shapes) {
+    const auto* instance = std::get_if<InstanceShape>(&shape.geometry);
+    if (instance) triangles[instance->group] += in_group[instance->group];
+    total += instance ? in_group[instance->group] : triangles_of(shape);
+  }
+  std::vector<bool> as_boxes(scene.groups.size(), false);
+  while (total > most_triangles) {
+    const auto heaviest = std::ranges::max_element(triangles);
+    if (heaviest == triangles.end() || *heaviest == 0) break;
+    as_boxes[heaviest - triangles.begin()] = true;
+    total -= std::exchange(*heaviest, 0);
+  }
+  return as_boxes;
+}
+
 }  // namespace
 
-DisplayMesh make_display_mesh(const SceneDescription& scene) {
-  Tessellator tessellator(scene);
+DisplayMesh make_display_mesh(const SceneDescription& scene, size_t most_triangles) {
+  Tessellator tessellator(scene, groups_as_boxes(scene, most_triangles));
   for (const ShapeDescription& shape : scene.shapes) tessellator.add(shape, Mat4(1));
   return tessellator.take();
 }

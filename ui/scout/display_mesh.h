@@ -15,9 +15,12 @@ struct DisplayMesh {
     uint32_t color;   // red, green, blue for the screen; alpha 255: a light, 0: clear
   };
   std::vector<Vertex> vertices;  // three per triangle
+  size_t boxes = 0;              // instances that are only shown as these
 };
 
-DisplayMesh make_display_mesh(const SceneDescription& scene);
+/// Instances whose triangles would be too many are shown as boxes, those of the heaviest groups
+/// first.
+DisplayMesh make_display_mesh(const SceneDescription& scene, size_t most_triangles = 10'000'000);
 
 /// What a material looks like from afar, display-referred, and whether it is clear (glass).
 struct DisplayMaterial {

@@ -26,7 +26,8 @@ void ScoutView::show(const Document& document) {
 
 void ScoutView::stand_at_render_camera(const Document& document) {
   const CameraController& render = document.camera();
-  camera_ = CameraController(lens(Vec2(1)), render.pivot_distance());
+  camera_ =
+      CameraController(lens(Vec2(1)), render.pivot_distance(), document.scene().bounds().radius());
   // Without scale and shear, whatever the scene's camera has.
   Mat4 pose(1.0f);
   pose[0] = Vec4(-render.right(), 0);
@@ -79,7 +80,7 @@ void ScoutView::draw(Document& document, Toolbox& toolbox) {
   view.hovered = hovered_;
   view.double_click = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
   NavigationTarget target;
-  target.move = [&](const auto& move) { move(camera_); };
+  target.move = [&](const auto& move) { camera_.move(move); };
   target.find_pivot = [&] {
     const auto distance = pivot_distance(*scene->with_camera(lens(room)));
     if (distance) camera_.set_pivot_distance(*distance);

@@ -2,12 +2,10 @@
 
 #include "renderer/io/mitsuba/importer.h"
 #include "renderer/io/mitsuba/values.h"
+#include "renderer/scene/film_size.h"
 
 namespace guidelight::mitsuba {
 namespace {
-
-constexpr int kMaxFilmSide = 65536;
-constexpr int64_t kMaxFilmPixels = int64_t{1} << 28;
 
 /// "50mm" on 36 × 24 mm film as the angle of its diagonal [degrees].
 float fov_of_focal_length(const Node& node, std::string text) {
@@ -96,8 +94,7 @@ void Importer::film(const Node& node) {
   FilmDescription& film = scene_.film;
   film.width = p.integer({"width"}, film.width);
   film.height = p.integer({"height"}, film.height);
-  if (film.width < 1 || film.height < 1 || film.width > kMaxFilmSide ||
-      film.height > kMaxFilmSide || int64_t{film.width} * film.height > kMaxFilmPixels) {
+  if (!is_film_size(film.width, film.height)) {
     throw Error(
         "{}: a film of {} x {} pixels cannot be rendered; use 1 to {} a side and at most {}.",
         node.source.to_string(), film.width, film.height, kMaxFilmSide, kMaxFilmPixels);
