@@ -49,14 +49,15 @@ class ProgressiveRender {
     PassContext context{.seed = job_.seed,
                         .parallel = &parallel_,
                         .region = job_.region,
-                        .history = job_.history.get(),
-                        .techniques = job_.techniques.get()};
+                        .history = job_.history.get()};
     if (first_pass > 0 && target_reached(*film)) {
       show(*film, SessionState::Finished);
       rest_until_there_is_more_to_do(film, first_pass);
     }
     for (uint32_t pass = first_pass;; ++pass) {
       follow_guides(observer_.guides(), context);
+      const std::shared_ptr<TechniqueImages> techniques = observer_.techniques();
+      context.techniques = techniques.get();
       const size_t photons_wanted = observer_.photons_wanted();
       PhotonRequest photons(photons_wanted);
       context.photons = photons_wanted > 0 ? &photons : nullptr;
@@ -73,7 +74,7 @@ class ProgressiveRender {
         throw;
       }
       film->finish_pass();
-      if (job_.techniques) job_.techniques->finish_pass();
+      if (techniques) techniques->finish_pass();
       status_.photons =
           context.photons ? std::make_shared<PhotonCloud>(std::move(photons.cloud())) : nullptr;
       status_.chains = integrator->chain_statistics();
