@@ -14,6 +14,9 @@ namespace {
 
 constexpr int kCandidates = 100;  // drawn of the selected guide
 
+constexpr int kLongestTechnique = 6;           // segments
+constexpr int kMostTechniquePixels = 320'000;  // of each of up to 42 pictures, 24 bytes per pixel
+
 /// A camera that keeps moving lets each position show its first picture, unless that takes longer.
 constexpr std::chrono::milliseconds kLongestWaitForPicture{250};
 
@@ -255,6 +258,7 @@ void Document::start(Clock::time_point now) {
   watched_.clear();
   watch_pixels();
   job.history = history_;
+  job.techniques = techniques_ = make_technique_images();
   job.coarse_first = true;
   if (resume_) {
     const auto [checkpoint, path] = *std::exchange(resume_, std::nullopt);
@@ -268,6 +272,7 @@ void Document::start(Clock::time_point now) {
   }
   const uint64_t number = session_.start(job);
   job.resume_from.reset();  // the film of a checkpoint is large, and of no more use here
+  job.techniques.reset();   // pictures carry none
   job.guides = guides();    // what travels with pictures; solo is a way of looking
   jobs_.push_back({number, std::move(job)});
   job_started_ = now;
@@ -331,6 +336,30 @@ void Document::set_photon_view(const PhotonView& view) {
   photon_view_ = view;
   session_.request_photons(view.shown ? static_cast<size_t>(view.cap) : 0);
 }
+
+// -- Techniques.
+
+void Document::record_techniques(bool record) {
+  records_techniques_ = record;
+  techniques_ = make_technique_images();
+  session_.set_techniques(techniques_);
+}
+
+/// Of large pictures squares of pixels are kept as one.
+std::shared_ptr<TechniqueImages> Document::make_technique_images() const {
+  if (!records_techniques_ || !has_scene()) return nullptr;
+  if (!find_integrator(settings_.integrator).combines_techniques) return nullptr;
+  const double pixels = static_cast<double>(settings_.width) * settings_.height;
+  const int block = static_cast<int>(std::ceil(std::sqrt(pixels / kMostTechniquePixels)));
+  return std::make_shared<TechniqueImages>(settings_.width, settings_.height, kLongestTechnique,
+                                           block);
+}
+
+void Document::between_passes(std::function<void()> act) {
+  session_.save([act = std::move(act)](const RenderProgress&) { act(); });
+}
+
+// -- What is recorded of single pixels.
 
 void Document::watch_pixels() {
   std::vector<PixelHistory::Pixel> watched;

@@ -9,7 +9,6 @@ namespace {
 
 constexpr float kOrbitPerHeight = kPi;  // [rad] for a drag over the height of the view
 constexpr float kLookPerHeight = 1.2f;  // [rad]
-constexpr float kZoomPerStep = 1.25f;
 constexpr float kSpeedPerStep = 1.3f;
 constexpr float kLongestStep = 0.05f;  // [s] of flight per frame, if frames take longer
 

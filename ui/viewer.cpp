@@ -55,6 +55,7 @@ class Viewer {
   bool animating() const { return view_.animating() || scout_.animating(); }
   void handle_key(int key, int modifiers, bool is_repeat);
   void perform(Action action) { guidelight::perform(action, bench_); }
+  void leave_techniques();
   void show_new_scene();
 
   std::shared_ptr<UiQueue> queue_ = std::make_shared<UiQueue>(&Window::wake);
@@ -64,7 +65,8 @@ class Viewer {
   Toolbox toolbox_;
   DisplayScene display_{*queue_};
   Comparison comparison_{document_, *queue_};
-  RenderView view_{window_, display_, comparison_};
+  TechniqueGallery techniques_{document_, queue_};
+  RenderView view_{window_, display_, comparison_, techniques_};
   ScoutView scout_{window_, display_};
   Exporter exporter_;
   CheckpointSaver checkpoints_;
@@ -124,6 +126,7 @@ void Viewer::run() {
     harvester_.update(state_.panels_shown && tabs_.shown() == Tabs::Guides);
     display_.update(document_, frame_began);
     comparison_.update(frame_began);
+    techniques_.update(frame_began);
     if (document_.picture()) {
       developer_.request(document_.picture(), document_.view().layer, document_.view().current());
     }
@@ -144,8 +147,10 @@ void Viewer::wait_for_next_frame(Clock::time_point last_frame) {
 }
 
 double Viewer::seconds_to_sleep() const {
-  if (document_.restart_pending() || guide_saver_.pending() || display_.pending())
+  if (document_.restart_pending() || guide_saver_.pending() || display_.pending() ||
+      techniques_.pending()) {
     return kBriefSleep;
+  }
   const bool calm = document_.messages().shown().empty() && !ImGui::GetIO().WantTextInput;
   return calm ? kLongSleep : kShortSleep;
 }
@@ -229,6 +234,7 @@ void Viewer::draw_panels() {
     if (tabs_.tab(Tabs::Image)) {
       draw_image_panel(document_, act);
       draw_histogram_panel(document_, view_.picture().get());
+      draw_techniques_panel(document_, act);
       if (state_.inspector_shown) draw_inspector_panel(document_);
       ImGui::EndTabItem();
     }
@@ -261,6 +267,10 @@ void Viewer::handle_key(int key, int modifiers, bool is_repeat) {
   frames_due_ = kFramesAfterEvent;
   if (animating() || file_dialog_.is_open()) return;
   const auto command = tool_command_for(key, modifiers);
+  if (command == ToolCommand::Cancel && document_.technique_view().shown) {
+    leave_techniques();
+    return;
+  }
   if (command && document_.has_scene() && toolbox_.tool().take(document_, *command)) {
     toolbox_.tidy();
     return;
@@ -269,6 +279,13 @@ void Viewer::handle_key(int key, int modifiers, bool is_repeat) {
   // A drag goes on in the view where it began.
   if (action == Action::CycleViews && ImGui::IsAnyMouseDown()) return;
   if (action && (!is_repeat || repeats(*action))) perform(*action);
+}
+
+/// From the large picture of one to all of them, from there to the render.
+void Viewer::leave_techniques() {
+  TechniqueView& view = document_.technique_view();
+  view.shown = view.enlarged.has_value();
+  view.enlarged.reset();
 }
 
 void Viewer::show_new_scene() {
