@@ -55,6 +55,11 @@ TEST(RenderSession, renders_to_its_pass_target_and_reports_figures) {
   EXPECT_EQ(snapshot->samples, 5u * 64 * 64);
   EXPECT_FLOAT_EQ(snapshot->progress, 1);
   EXPECT_GT(snapshot->seconds, 0);
+  // In a closed room each path traces a camera ray, a shadow ray and some more of both.
+  const double rays_per_path =
+      snapshot->rays_per_second * snapshot->seconds / static_cast<double>(snapshot->samples);
+  EXPECT_GT(rays_per_path, 3);
+  EXPECT_LT(rays_per_path, 50);
   EXPECT_GT(luminance(testing::mean_color(snapshot->layer(Layer::Beauty))), 0.01f);
 }
 
