@@ -30,8 +30,8 @@ void draw_menu_bar(const Document& document, const RecentFiles& recent, const Pe
                    const std::function<void(const std::string&)>& open_scene, ViewLayout& views);
 
 void draw_scene_panel(const Document& document);
-/// A row with a parameter's widget; returns whether its value was changed.
-bool draw_parameter(const Parameter& parameter);
+/// A row with a parameter's widget; returns whether its value was changed. `column` as in row().
+bool draw_parameter(const Parameter& parameter, float column = 0);
 void draw_integrator_panel(Document& document);
 void draw_render_panel(Document& document, bool region_tool_active, int& autosave_minutes,
                        const Perform& perform);
