@@ -113,6 +113,25 @@ void Document::open(OpenedScene opened) {
   if (!opened_.guide_problem.empty()) messages_.error(opened_.guide_problem);
 }
 
+void Document::reload(OpenedScene opened) {
+  const auto before = opened_.scene;
+  const CameraController camera = camera_;
+  RenderSettings settings = settings_;
+  open(std::move(opened));
+  const bool same_camera =
+      before->camera().description().to_world == scene().camera().description().to_world;
+  const bool same_size = before->camera().width() == scene().camera().width() &&
+                         before->camera().height() == scene().camera().height();
+  if (same_camera) camera_ = camera;
+  if (!same_size) {
+    settings.width = settings_.width;
+    settings.height = settings_.height;
+    settings.region.reset();
+  }
+  settings_ = settings;
+  edits_.reset({guides_as_opened_, settings_});
+}
+
 RenderSettings Document::settings_for(const Scene& scene) const {
   RenderSettings settings;
   settings.integrator =

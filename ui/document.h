@@ -130,6 +130,9 @@ class Document {
   void override_settings(const RenderSettings& settings) { overrides_ = settings; }
   /// Shows another scene from its own camera with its own settings, and renders it.
   void open(OpenedScene opened);
+  /// Shows a new version of the scene. The camera and what the person has set stay, unless the file
+  /// now says something else.
+  void reload(OpenedScene opened);
   /// Grows with every scene opened.
   uint64_t openings() const { return openings_; }
   bool has_scene() const { return opened_.scene != nullptr; }

@@ -57,6 +57,8 @@ class Viewer {
   void perform(Action action) { guidelight::perform(action, bench_); }
   void leave_techniques();
   void show_new_scene();
+  void show_reloaded_scene();
+  void take_reference(const std::string& path);
 
   std::shared_ptr<UiQueue> queue_ = std::make_shared<UiQueue>(&Window::wake);
   Window window_;
@@ -90,12 +92,16 @@ class Viewer {
 
 Viewer::Viewer(const ViewerOptions& options)
     : window_("Guidelight", options.ui_scale),
-      developer_(
-          *queue_,
-          [this](std::shared_ptr<const Picture> picture) { view_.show(std::move(picture)); }),
+      developer_(*queue_,
+                 [this](std::shared_ptr<const Picture> picture) {
+                   if (document_.picture())
+                     view_.show(std::move(picture));  // else of the last scene
+                 }),
       exporter_(document_, *queue_, current_folder()),
       checkpoints_(document_, queue_, current_folder()),
-      opener_(document_, queue_, [this] { show_new_scene(); }),
+      opener_(document_, queue_,
+              {[this] { show_new_scene(); }, [this] { show_reloaded_scene(); },
+               [this](const std::string& path) { take_reference(path); }}),
       on_frame_(options.on_frame) {
   RenderSettings overrides;
   overrides.integrator = options.integrator;
@@ -281,6 +287,18 @@ void Viewer::handle_key(int key, int modifiers, bool is_repeat) {
   if (action && (!is_repeat || repeats(*action))) perform(*action);
 }
 
+/// Cameras and what the render is compared with stay as they are.
+void Viewer::show_reloaded_scene() {
+  toolbox_.use_default();
+  view_.show(nullptr);
+  display_.show(document_.opened().scene);
+}
+
+void Viewer::take_reference(const std::string& path) {
+  comparison_.load_reference(path);
+  tabs_.show(Tabs::Compare);
+}
+
 /// From the large picture of one to all of them, from there to the render.
 void Viewer::leave_techniques() {
   TechniqueView& view = document_.technique_view();
@@ -290,6 +308,7 @@ void Viewer::leave_techniques() {
 
 void Viewer::show_new_scene() {
   toolbox_.use_default();
+  view_.show(nullptr);
   view_.transform().fit();
   display_.show(document_.opened().scene);
   scout_.show(document_);
