@@ -225,9 +225,9 @@ void CameraStage::merge(uint32_t index, const PathVertex& vertex, const Scatteri
                           .pdf_to_camera = bsdf.pdf_reverse * vertex.survival},
                          states_[index].eta);
   }
-  // Photons arrive through the true surface: their flux already contains its cosine.
-  const float cosine = std::abs(glm::dot(wi, vertex.point.geometric_normal));
-  const float scale = kernel / (cosine * static_cast<float>(setup_.light_path_count));
+  // Photons bring the cosine with them: see shaded_power().
+  const float scale =
+      kernel / (scattering.shading_cosine(wi) * static_cast<float>(setup_.light_path_count));
   add(index, photon.length() + 1, vertex.length + 1,
       vertex.throughput * bsdf.value * photon.power() * scale, weight,
       photon.caustic() && vertex.is_specular_chain, true);

@@ -47,9 +47,7 @@ bool LightStage::visit(uint32_t index, Subpath& path, const PathVertex& vertex,
   if (scattering.is_connectible()) {
     const BidirectionalSettings& settings = setup_.settings;
     if (settings.merges() && (length > 1 || settings.merge_direct)) {
-      photons_.push_back(make_photon(vertex.point.position, vertex.wo, vertex.throughput, length,
-                                     vertex.is_caustic(), vertex.partials));
-      if (path.guided) path.guided->left_photon(vertex.point.position);
+      add_photon(path, vertex, shaded_power(vertex, scattering));
     }
     if (settings.connections && length + 2 <= setup_.max_length) {
       vertices_.add(slots_[index], vertex);
@@ -57,6 +55,13 @@ bool LightStage::visit(uint32_t index, Subpath& path, const PathVertex& vertex,
     if (film_ && setup_.is_shown(length + 1)) queue_splat(path, vertex, scattering);
   }
   return length + 2 <= setup_.max_length;
+}
+
+void LightStage::add_photon(Subpath& path, const PathVertex& vertex, Color power) {
+  if (is_black(power)) return;
+  photons_.push_back(make_photon(vertex.point.position, vertex.wo, power, vertex.length,
+                                 vertex.is_caustic(), vertex.partials));
+  if (path.guided) path.guided->left_photon(vertex.point.position);
 }
 
 void LightStage::queue_splat(Subpath& path, const PathVertex& vertex,

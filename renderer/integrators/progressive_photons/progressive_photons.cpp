@@ -17,11 +17,6 @@ namespace guidelight {
 
 namespace {
 
-struct SurfaceLight {
-  Scattering scattering;
-  Vec3 normal;
-};
-
 class ProgressivePhotons : public Integrator {
  public:
   ProgressivePhotons(std::shared_ptr<const Scene> scene, const ProgressivePhotonSettings& settings)
@@ -99,9 +94,8 @@ class ProgressivePhotons : public Integrator {
                  const GatherPoint point{vertex.point.position, path.weight * vertex.throughput,
                                          vertex.length,
                                          radius_of(estimate, initial_radius_.at(path.distance))};
-                 const SurfaceLight surface{scattering, vertex.point.geometric_normal};
                  gather(
-                     map_, point, [&]() -> const SurfaceLight& { return surface; }, found[i]);
+                     map_, point, [&]() -> const Scattering& { return scattering; }, found[i]);
                });
     finish(
         tile, found, [&](size_t pixel) { return walk.pixel_sample(pixel); }, film);
@@ -120,16 +114,15 @@ class ProgressivePhotons : public Integrator {
       const GatherPoint point{measured.point.position, measured.throughput, measured.length,
                               radius_of(estimate, initial_radius_.at(measured.distance))};
       std::optional<SurfacePoint> restored;
-      std::optional<SurfaceLight> surface;
-      const auto surface_at = [&]() -> const SurfaceLight& {
-        if (!surface) {
+      std::optional<Scattering> scattering;
+      const auto scattering_at = [&]() -> const Scattering& {
+        if (!scattering) {
           restored = measured.point.restore(*scene_);
-          surface.emplace(Scattering(*restored, measured.point.wo, TransportMode::Radiance),
-                          restored->geometric_normal);
+          scattering.emplace(*restored, measured.point.wo, TransportMode::Radiance);
         }
-        return *surface;
+        return *scattering;
       };
-      gather(map_, point, surface_at, found[measured.path]);
+      gather(map_, point, scattering_at, found[measured.path]);
     }
     finish(
         tile, found, [&](size_t pixel) { return points.samples[pixel]; }, film);
