@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "renderer/error.h"
-#include "renderer/image/technique_images.h"
 #include "renderer/session/stopwatch.h"
 #include "renderer/transport/guide_mixture.h"
 
@@ -73,7 +72,6 @@ class ProgressiveRender {
         throw;
       }
       film->finish_pass();
-      if (job_.techniques) job_.techniques->finish_pass();
       status_.photons =
           context.photons ? std::make_shared<PhotonCloud>(std::move(photons.cloud())) : nullptr;
       status_.chains = integrator->chain_statistics();

@@ -55,6 +55,7 @@ void CameraStage::render(const PixelRegion& tile, const LightSide& light, Film& 
   for (int y = tile.y0; y < tile.y1; ++y) {
     for (int x = tile.x0; x < tile.x1; ++x) film.add_sample(x, y, states_[i++].sample);
   }
+  if (setup_.techniques) setup_.techniques->add_samples(tile);
 }
 
 void CameraStage::start(const PixelRegion& tile, const Filter& filter) {

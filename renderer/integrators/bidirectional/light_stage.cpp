@@ -27,7 +27,9 @@ void LightStage::trace(size_t first, size_t last, Film* film) {
     start(begin, std::min(begin + kTilePixels, last), begin - first);
     walk_.run(batch_.paths(), *this);
   }
-  if (film_) film_->add_splat_count(last - first);
+  if (!film_) return;
+  film_->add_splat_count(last - first);
+  if (setup_.techniques) setup_.techniques->add_light_paths(last - first);
 }
 
 void LightStage::start(size_t first, size_t last, size_t first_slot) {
@@ -82,14 +84,11 @@ void LightStage::queue_splat(Subpath& path, const PathVertex& vertex,
 
 void LightStage::record_techniques() {
   if (!setup_.techniques) return;
-  // The film divides by the number of light paths, and so must these.
-  const float scale = static_cast<float>(film_->width()) * static_cast<float>(film_->height()) /
-                      static_cast<float>(setup_.light_path_count);
   for (size_t i = 0; i < splats_.size(); ++i) {
     if (blocked_[i]) continue;
     const glm::ivec2 pixel(splats_[i].raster);
     setup_.techniques->add({.s = unweighted_[i].s, .t = 1}, pixel.x, pixel.y,
-                           scale * splats_[i].contribution, scale * unweighted_[i].contribution);
+                           splats_[i].contribution, unweighted_[i].contribution);
   }
   unweighted_.clear();
 }
