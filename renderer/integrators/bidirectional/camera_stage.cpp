@@ -68,7 +68,12 @@ void CameraStage::start(const PixelRegion& tile, const Filter& filter) {
       const Filter::Sample offset = filter.sample(rng.next_vec2());
       paths_.push_back(
           start_camera_path(setup_.scene, Vec2(x + 0.5f, y + 0.5f) + offset.offset, rng));
-      states_.emplace_back().sample.filter_weight = offset.weight;
+      PathState& state = states_.emplace_back();
+      state.sample.filter_weight = offset.weight;
+      if (setup_.radius.needs_footprint()) {
+        const Subpath& path = paths_.back();
+        state.footprint.emplace(path.ray.direction, path.is_parallel);
+      }
     }
   }
 }
@@ -103,14 +108,16 @@ bool CameraStage::visit(uint32_t index, Subpath& path, const PathVertex& vertex,
   const int length = vertex.length;
   PathState& state = states_[index];
   state.extend(path);
-  state.distance += vertex.hit.t;
+  if (state.footprint && vertex.is_specular_chain) {
+    state.footprint->arrive(setup_.scene, path.origin, vertex);
+  }
   if (length == 1) record_first_hit(state.sample, vertex.point, vertex.hit.t);
   if (vertex.point.light && setup_.is_shown(length)) add_emission(index, path, vertex);
   if (length >= setup_.max_length) return false;
   if (!scattering.is_connectible()) return true;
 
   if (vertex.is_specular_chain) {
-    state.radius = setup_.radius.at(state.distance);
+    state.radius = setup_.radius.at(state.footprint ? &*state.footprint : nullptr);
     state.eta = setup_.radius.eta(state.radius);
   }
   if (settings.next_event && setup_.is_shown(length + 1)) {

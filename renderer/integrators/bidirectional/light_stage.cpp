@@ -71,7 +71,8 @@ void LightStage::queue_splat(Subpath& path, const PathVertex& vertex,
   const auto lens =
       connect_to_lens(setup_.scene.camera(), vertex, scattering, path.rng.next_vec2());
   if (!lens) return;
-  const float eta = setup_.radius.eta(setup_.radius.at(lens->distance));
+  const Camera& camera = setup_.scene.camera();
+  const float eta = setup_.radius.eta(setup_.radius.seen_directly(camera, lens->distance));
   const float weight = path_weight(setup_.weights, vertex, *lens, eta);
   if (setup_.techniques) unweighted_.push_back({lens->contribution, vertex.length + 1});
   shadow_rays_.push_back(lens->shadow_ray);
