@@ -23,6 +23,7 @@ TechniqueImages::TechniqueImages(int width, int height, int longest_path, int bl
       block_(block),
       columns_(blocks(width, block)),
       rows_(blocks(height, block)),
+      samples_(static_cast<size_t>(width) * height),
       sums_(2 * static_cast<size_t>(longest_path + 2) * (longest_path + 2)) {}
 
 size_t TechniqueImages::index_of(const Technique& technique) const {
@@ -52,45 +53,69 @@ void TechniqueImages::add(const Technique& technique, int x, int y, Color weight
   }
 }
 
+void TechniqueImages::add_samples(const PixelRegion& pixels) {
+  for (int y = pixels.y0; y < pixels.y1; ++y) {
+    for (int x = pixels.x0; x < pixels.x1; ++x) ++samples_[static_cast<size_t>(y) * width_ + x];
+  }
+  ++samples_counted_;
+}
+
+std::vector<float> TechniqueImages::scales(bool from_light, int shrink) const {
+  const int columns = blocks(columns_, shrink);
+  const int side = block_ * shrink;
+  std::vector<uint64_t> counted(static_cast<size_t>(columns) * blocks(rows_, shrink));
+  for (int y = 0; y < height_; ++y) {
+    for (int x = 0; x < width_; ++x) {
+      counted[static_cast<size_t>(y / side) * columns + x / side] +=
+          from_light ? 1 : samples_[static_cast<size_t>(y) * width_ + x];
+    }
+  }
+  // Light paths are of the whole picture.
+  const auto pixels = static_cast<double>(samples_.size());
+  const double of_each = !from_light        ? 1
+                         : light_paths_ > 0 ? pixels / static_cast<double>(light_paths_)
+                                            : 0;
+  std::vector<float> result(counted.size());
+  for (size_t i = 0; i < counted.size(); ++i) {
+    result[i] = counted[i] > 0 ? static_cast<float>(of_each / static_cast<double>(counted[i])) : 0;
+  }
+  return result;
+}
+
 std::map<TechniqueImages::Technique, TechniqueImages::Pair> TechniqueImages::develop(
     int shrink) const {
+  const std::vector<float> from_light = scales(true, shrink);
+  const std::vector<float> others = scales(false, shrink);
   std::map<Technique, Pair> result;
   for (size_t i = 0; i < sums_.size(); ++i) {
-    if (!sums_[i].values.empty()) result[technique_at(i)] = develop(sums_[i], shrink);
+    if (sums_[i].values.empty()) continue;
+    const Technique technique = technique_at(i);
+    result[technique] = develop(sums_[i], shrink, technique.t == 1 ? from_light : others);
   }
   return result;
 }
 
 TechniqueImages::Pair TechniqueImages::develop(const Technique& technique) const {
-  if (technique.path_length() > longest_path_) return develop(Sums{}, 1);
-  return develop(sums_[index_of(technique)], 1);
+  const bool is_kept = technique.path_length() <= longest_path_;
+  static const Sums kNone;
+  return develop(is_kept ? sums_[index_of(technique)] : kNone, 1, scales(technique.t == 1, 1));
 }
 
-TechniqueImages::Pair TechniqueImages::develop(const Sums& sums, int shrink) const {
+TechniqueImages::Pair TechniqueImages::develop(const Sums& sums, int shrink,
+                                               std::span<const float> scales) const {
   const int width = blocks(columns_, shrink);
   const int height = blocks(rows_, shrink);
   Pair pair{Image(width, height, 3), Image(width, height, 3)};
-  if (sums.values.empty() || passes_ == 0) return pair;
+  if (sums.values.empty()) return pair;
   for (int row = 0; row < rows_; ++row) {
     for (int column = 0; column < columns_; ++column) {
+      const int x = column / shrink, y = row / shrink;
+      const float scale = scales[static_cast<size_t>(y) * width + x];
       const std::atomic<float>* values =
           &sums.values[6 * (static_cast<size_t>(row) * columns_ + column)];
-      float* weighted = pair.weighted.pixel(column / shrink, row / shrink);
-      float* raw = pair.raw.pixel(column / shrink, row / shrink);
       for (int c = 0; c < 3; ++c) {
-        weighted[c] += values[c].load(std::memory_order_relaxed);
-        raw[c] += values[3 + c].load(std::memory_order_relaxed);
-      }
-    }
-  }
-  const int side = block_ * shrink;  // blocks at the right and lower edges hold fewer pixels
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      const int pixels = std::min(side, width_ - x * side) * std::min(side, height_ - y * side);
-      const float scale = 1.0f / (static_cast<float>(pixels) * static_cast<float>(passes_));
-      for (int c = 0; c < 3; ++c) {
-        pair.weighted.pixel(x, y)[c] *= scale;
-        pair.raw.pixel(x, y)[c] *= scale;
+        pair.weighted.pixel(x, y)[c] += scale * values[c].load(std::memory_order_relaxed);
+        pair.raw.pixel(x, y)[c] += scale * values[3 + c].load(std::memory_order_relaxed);
       }
     }
   }

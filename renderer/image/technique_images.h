@@ -4,10 +4,12 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "renderer/image/image.h"
+#include "renderer/image/pixel_region.h"
 
 namespace guidelight {
 
@@ -40,11 +42,16 @@ class TechniqueImages {
   size_t bytes() const { return bytes_; }
 
   /// Adds a contribution to a pixel: as the balance heuristic weighs it, and as the technique would
-  /// count it alone. Thread safe.
+  /// count it alone; of t = 1 to the whole picture. Thread safe.
   void add(const Technique& technique, int x, int y, Color weighted, Color raw);
-  /// Ends a pass: the images are means over passes.
-  void finish_pass() { ++passes_; }
-  uint32_t passes() const { return passes_; }
+  // As of a film, what is counted is camera paths of each pixel and light paths of all, so that a
+  // pass that is given up leaves the right images.
+  /// One more camera path of each pixel. Different pixels may be counted by different threads.
+  void add_samples(const PixelRegion& pixels);
+  /// Of light paths that were connected to the lens, t = 1. Thread safe.
+  void add_light_paths(uint64_t count) { light_paths_ += count; }
+  /// Whether no path has been counted. Thread safe.
+  bool empty() const { return samples_counted_ == 0 && light_paths_ == 0; }
 
   struct Pair {
     Image weighted;
@@ -62,7 +69,10 @@ class TechniqueImages {
   };
   size_t index_of(const Technique& technique) const;
   Technique technique_at(size_t index) const;
-  Pair develop(const Sums& sums, int shrink) const;
+  /// What the sums of each pixel of a smaller picture are multiplied by; of t = 1, or of all
+  /// others.
+  std::vector<float> scales(bool from_light, int shrink) const;
+  Pair develop(const Sums& sums, int shrink, std::span<const float> scales) const;
 
   int width_;
   int height_;
@@ -70,7 +80,9 @@ class TechniqueImages {
   int block_;
   int columns_;
   int rows_;
-  uint32_t passes_ = 0;
+  std::vector<uint32_t> samples_;  // per pixel
+  std::atomic<uint64_t> samples_counted_ = 0;
+  std::atomic<uint64_t> light_paths_ = 0;
   std::atomic<size_t> bytes_ = 0;
   std::vector<Sums> sums_;  // by index_of
 };

@@ -21,11 +21,9 @@ SearchRadius::SearchRadius(const Scene& scene, const RadiusSettings& settings) {
   if (settings.radius_from == 0) {
     constant_ = 0.01f * settings.scene_radius * scene.bounds().radius();
   } else {
-    const float pixel = settings.pixel_radius * camera.pixel_size_at_unit_distance();
-    const bool is_parallel = camera.description().model == CameraModel::Orthographic;
-    (is_parallel ? constant_ : per_distance_) = pixel;
+    per_spread_ = settings.pixel_radius * camera.pixel_size_at_unit_distance();
   }
-  typical_ = at(glm::distance(scene.bounds().center(), camera.position()));
+  typical_ = seen_directly(camera, glm::distance(scene.bounds().center(), camera.position()));
 }
 
 }  // namespace guidelight

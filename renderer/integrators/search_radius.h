@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/integrators/parameters.h"
-#include "renderer/scene/scene.h"
+#include "renderer/transport/ray_footprint.h"
 
 namespace guidelight {
 
@@ -17,19 +17,28 @@ struct RadiusSettings {
 };
 
 /// The initial search radius [scene units]. From the scene's size it is the same everywhere, from
-/// the pixel's footprint it grows with the way from the camera.
+/// the pixel's footprint it grows with the way from the camera, and with what curved mirrors and
+/// glass do to the beam.
 class SearchRadius {
  public:
   SearchRadius(const Scene& scene, const RadiusSettings& settings);
 
-  /// `distance`: length of the camera path up to its first vertex that is not specular.
-  float at(float distance) const { return constant_ + per_distance_ * distance; }
+  /// `footprint`: of the camera path up to its first vertex that is not specular; null where
+  /// needs_footprint() is false.
+  float at(const RayFootprint* footprint) const {
+    return footprint ? per_spread_ * footprint->spread() : constant_;
+  }
+  bool needs_footprint() const { return per_spread_ > 0; }
+  /// At a point that the camera sees at a distance without any bounce.
+  float seen_directly(const Camera& camera, float distance) const {
+    return constant_ + per_spread_ * RayFootprint::seen_directly(camera, distance);
+  }
   /// At the middle of the scene.
   float typical() const { return typical_; }
 
  private:
   float constant_ = 0;
-  float per_distance_ = 0;
+  float per_spread_ = 0;
   float typical_;
 };
 

@@ -13,10 +13,10 @@ struct PhotonCloud {
   struct Point {
     Vec3 position;
     Vec3 direction;  // unit, towards where the photon came from
-    Color power;     // [W]
-    int bounce;      // segments of the light path that ends here
-    bool caustic;    // see Photon::caustic
-    int guide;       // position in the list of guides of the one its path began with; -1 for none
+    Color power;   // [W]; of ppm, sppm and the bidirectional methods as the shading normal sees it
+    int bounce;    // segments of the light path that ends here
+    bool caustic;  // see Photon::caustic
+    int guide;     // position in the list of guides of the one its path began with; -1 for none
   };
   std::vector<Point> points;
   size_t total = 0;  // photons of the pass, of which `points` are evenly chosen ones

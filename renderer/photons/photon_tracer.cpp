@@ -20,9 +20,10 @@ struct PhotonCollector {
 
   void escaped(uint32_t, Subpath&) {}
   bool visit(uint32_t, Subpath& path, const PathVertex& vertex, const Scattering& scattering) {
-    if (scattering.is_connectible()) {
-      photons.push_back(make_photon(vertex.point.position, vertex.wo, vertex.throughput,
-                                    vertex.length, vertex.is_caustic()));
+    const Color power = shaded_power(vertex, scattering);
+    if (scattering.is_connectible() && !is_black(power)) {
+      photons.push_back(
+          make_photon(vertex.point.position, vertex.wo, power, vertex.length, vertex.is_caustic()));
       if (path.guided) path.guided->left_photon(vertex.point.position);
     }
     return vertex.length < max_length;

@@ -20,7 +20,8 @@ struct LightPathRange {
 };
 
 /// Traces light paths in parallel and keeps a photon of every vertex that is not perfectly
-/// specular, direct light included. Photon::power() is in watts times the number of light paths.
+/// specular, direct light included. Photon::power() is the shaded_power() in watts times the number
+/// of light paths.
 /// Keeps its memory from pass to pass.
 class PhotonTracer {
  public:

@@ -128,6 +128,7 @@ class Sphere final : public AnalyticShape {
   }
   Vec3 project_local(Vec3 p) const override { return glm::normalize(p); }
   Vec3 normal_local(Vec3 p) const override { return p; }
+  Vec3 normal_derivative_local(Vec3 displacement) const override { return displacement; }
   Parametrisation parametrise(Vec3 p) const override {
     const float r = std::sqrt(sqr(p.x) + sqr(p.y));
     const Vec2 around = r > 0 ? Vec2(p.x, p.y) / r : Vec2(1, 0);
@@ -170,6 +171,7 @@ class Disk final : public AnalyticShape {
   }
   Vec3 project_local(Vec3 p) const override { return {p.x, p.y, 0}; }
   Vec3 normal_local(Vec3) const override { return {0, 0, 1}; }
+  Vec3 normal_derivative_local(Vec3) const override { return Vec3(0); }
   Parametrisation parametrise(Vec3 p) const override {
     const float r = std::sqrt(sqr(p.x) + sqr(p.y));
     const Vec2 around = r > 0 ? Vec2(p.x, p.y) / r : Vec2(1, 0);
@@ -210,6 +212,9 @@ class Cylinder final : public AnalyticShape {
     return Vec3(glm::normalize(Vec2(p)), std::clamp(p.z, 0.0f, 1.0f));
   }
   Vec3 normal_local(Vec3 p) const override { return {p.x, p.y, 0}; }
+  Vec3 normal_derivative_local(Vec3 displacement) const override {
+    return {displacement.x, displacement.y, 0};
+  }
   Parametrisation parametrise(Vec3 p) const override {
     return {Vec2(angle_share(p.x, p.y), p.z), 2 * kPi * Vec3(-p.y, p.x, 0), Vec3(0, 0, 1)};
   }
@@ -269,6 +274,12 @@ void AnalyticShape::fill_local(Vec3 local, SurfacePoint& point) const {
                      glm::abs(linear_.inverse[2]) * distance.z;
   const float world_magnitude = max_component(glm::abs(origin_) + distance);
   point.offset = kFloatEpsilon * (4 * world_magnitude + 8 * max_component(terms) / stretch);
+}
+
+Vec3 AnalyticShape::normal_derivative(const Hit&, Vec3 position, Vec3 displacement) const {
+  const Vec3 scaled_normal = linear_.normal(normal_local(project_local(to_local(position))));
+  const Vec3 change = linear_.normal(normal_derivative_local(linear_.inverse * displacement));
+  return normal_sign_ * derivative_of_unit(scaled_normal, change);
 }
 
 float AnalyticShape::sample_area(Vec2 u, SurfacePoint& point) const {

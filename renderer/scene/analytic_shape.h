@@ -19,6 +19,7 @@ class AnalyticShape : public Shape {
   void fill(const Ray& ray, const Hit& hit, SurfacePoint& point) const override;
   float sample_area(Vec2 u, SurfacePoint& point) const override;
   float pdf_area(const SurfacePoint& point) const override;
+  Vec3 normal_derivative(const Hit&, Vec3 position, Vec3 displacement) const override;
   float area() const override { return area_; }
   Bounds bounds() const override;
 
@@ -36,6 +37,8 @@ class AnalyticShape : public Shape {
   virtual Vec3 project_local(Vec3 p) const = 0;
   /// Unit normal at a point of the surface.
   virtual Vec3 normal_local(Vec3 p) const = 0;
+  /// The derivative of normal_local() by a displacement within the surface.
+  virtual Vec3 normal_derivative_local(Vec3 displacement) const = 0;
   virtual Parametrisation parametrise(Vec3 p) const = 0;
   /// Uniform in local area.
   virtual Vec3 sample_local(Vec2 u) const = 0;

@@ -5,6 +5,7 @@
 #include "renderer/parallel/worker_counter.h"
 #include "renderer/scene/accelerator.h"
 #include "renderer/scene/ray_log.h"
+#include "renderer/scene/shape_transform.h"
 
 namespace guidelight {
 
@@ -90,6 +91,18 @@ SurfacePoint Scene::surface_point(const Ray& ray, const Hit& hit) const {
   }
   if (binding.perturbs_normal) point.frame = point.bsdf->shading_frame(point);
   return point;
+}
+
+Vec3 Scene::normal_derivative(const Hit& hit, Vec3 position, Vec3 normal, Vec3 displacement) const {
+  const Shape& shape = *content_->shapes[hit.shape].shape;
+  if (hit.instance == kInvalidIndex) return shape.normal_derivative(hit, position, displacement);
+  const InstanceBinding& instance = content_->instances[hit.instance];
+  const Vec3 local = shape.normal_derivative(hit, transform_point(instance.to_local, position),
+                                             transform_vector(instance.to_local, displacement));
+  // The world's normal is (A⁻ᵀ m)/|A⁻ᵀ m| for the group's unit normal m, which is Aᵀn/|Aᵀn|.
+  const float scale = glm::length(glm::transpose(Mat3(instance.to_world)) * normal);
+  const Vec3 change = scale * (glm::transpose(Mat3(instance.to_local)) * local);
+  return derivative_of_unit(normal, change);
 }
 
 std::optional<Scene::LightChoice> Scene::choose_light(float u) const {

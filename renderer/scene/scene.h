@@ -51,6 +51,9 @@ class Scene {
   void occluded(std::span<const Ray> rays, std::span<uint8_t> blocked) const;
   /// The full surface record of a valid hit, with normal maps applied.
   SurfacePoint surface_point(const Ray& ray, const Hit& hit) const;
+  /// Derivative of the unit normal that a shape is shaded with, without normal maps, by a
+  /// displacement within the surface; `position` and `normal` are those of the hit.
+  Vec3 normal_derivative(const Hit& hit, Vec3 position, Vec3 normal, Vec3 displacement) const;
 
   // -- Lights. Every light is chosen by a fixed probability.
   std::span<const std::unique_ptr<Light>> lights() const { return content_->lights; }

@@ -56,6 +56,13 @@ class Shape {
   /// Density of sample_seen_from, per solid angle at the reference.
   virtual float pdf_seen_from(Vec3 reference, const SurfacePoint& point) const;
 
+  /// How the unit normal of fill()'s shading frame changes along a surface: its derivative at a
+  /// point of the shape by a displacement in the tangent plane. 0 on flat shapes.
+  virtual Vec3 normal_derivative(const Hit& hit, Vec3 position, Vec3 displacement) const {
+    (void)hit, (void)position, (void)displacement;
+    return Vec3(0);
+  }
+
   virtual float area() const = 0;
   virtual Bounds bounds() const = 0;
   virtual size_t triangle_count() const { return 0; }

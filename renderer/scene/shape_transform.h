@@ -26,4 +26,10 @@ struct LinearTransform {
   Vec3 normal(Vec3 n) const { return n * inverse; }
 };
 
+/// Derivative of v/|v| where that of v is `change`.
+inline Vec3 derivative_of_unit(Vec3 v, Vec3 change) {
+  const float squared = glm::dot(v, v);
+  return (change - v * (glm::dot(v, change) / squared)) / std::sqrt(squared);
+}
+
 }  // namespace guidelight

@@ -175,6 +175,23 @@ void TriangleMesh::fill_triangle(uint32_t triangle, Vec2 barycentric, SurfacePoi
   }
 }
 
+Vec3 TriangleMesh::normal_derivative(const Hit& hit, Vec3, Vec3 displacement) const {
+  if (normals_.empty()) return Vec3(0);
+  const auto [a, b, c] = mesh_->triangles[hit.primitive];
+  const Vec3 edge1 = positions_[b] - positions_[a];
+  const Vec3 edge2 = positions_[c] - positions_[a];
+  const Vec3 scaled = glm::cross(edge1, edge2);
+  const float squared = length_squared(scaled);
+  const Vec3 n1 = normals_[b] - normals_[a];
+  const Vec3 n2 = normals_[c] - normals_[a];
+  const Vec3 normal = normals_[a] + hit.barycentric.x * n1 + hit.barycentric.y * n2;
+  if (!(squared > 0) || !(length_squared(normal) > 1e-12f)) return Vec3(0);
+  // The displacement in barycentric coordinates.
+  const float b1 = glm::dot(glm::cross(displacement, edge2), scaled) / squared;
+  const float b2 = glm::dot(glm::cross(edge1, displacement), scaled) / squared;
+  return derivative_of_unit(normal, b1 * n1 + b2 * n2);
+}
+
 void TriangleMesh::parametrise(const std::array<uint32_t, 3>& triangle, Vec2 barycentric,
                                Vec3 shading_normal, SurfacePoint& point) const {
   const auto [a, b, c] = triangle;

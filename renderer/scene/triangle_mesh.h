@@ -30,6 +30,7 @@ class TriangleMesh final : public Shape {
   void fill(const Ray& ray, const Hit& hit, SurfacePoint& point) const override;
   float sample_area(Vec2 u, SurfacePoint& point) const override;
   float pdf_area(const SurfacePoint&) const override { return inverse_area_; }
+  Vec3 normal_derivative(const Hit& hit, Vec3 position, Vec3 displacement) const override;
   float area() const override { return area_; }
   Bounds bounds() const override { return bounds_; }
   size_t triangle_count() const override { return mesh_->triangles.size(); }

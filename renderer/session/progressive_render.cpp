@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "renderer/error.h"
-#include "renderer/image/technique_images.h"
 #include "renderer/parallel/worker_counter.h"
 #include "renderer/session/stopwatch.h"
 #include "renderer/transport/guide_mixture.h"
@@ -77,7 +76,6 @@ class ProgressiveRender {
         throw;
       }
       film->finish_pass();
-      if (techniques) techniques->finish_pass();
       status_.photons =
           context.photons ? std::make_shared<PhotonCloud>(std::move(photons.cloud())) : nullptr;
       status_.chains = integrator->chain_statistics();

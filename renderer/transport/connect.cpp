@@ -67,6 +67,7 @@ std::optional<VertexConnection> connect_vertices(const PathVertex& light,
                         squared * segment_transmittance(camera, w, distance);
   result.pdf_backward_camera = at_camera.pdf_reverse * camera.survival;
   result.pdf_backward_light = at_light.pdf_reverse * light.survival;
+  result.pdf_scattering_camera = at_camera.pdf * camera.survival;
   result.pdf_arrival_light =
       at_camera.pdf * camera.survival * abs_cos_geometric(light, w) / squared;
   result.pdf_arrival_camera =

@@ -36,6 +36,7 @@ struct VertexConnection {
   float pdf_backward_light;
   float pdf_arrival_camera;
   float pdf_backward_camera;
+  float pdf_scattering_camera;  // towards the light's vertex, per solid angle
 };
 std::optional<VertexConnection> connect_vertices(const PathVertex& light,
                                                  const Scattering& light_scattering,

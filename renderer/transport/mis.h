@@ -17,6 +17,9 @@ struct TechniqueCounts {
   /// Merge also photons of direct light, and those of caustics at vertices that the camera sees
   /// directly. Other techniques are better at both (Georgiev et al. 2012, section 6).
   bool merge_direct = false;
+  /// Ω [sr]: photons merged with count as independent of each other as far as the camera path came
+  /// to them by scattering within this angle; see MisWeights::independence. By default, always.
+  float independent_angle = 1e30f;
 };
 
 /// Expected number of samples that all techniques take of one path, divided by that of a technique
@@ -32,11 +35,11 @@ struct MisSums {
 /// The one step of the recurrence: closes the partials of a vertex by the density of scattering
 /// back to the one before (per solid angle, survival included). `technique_count` is the count of
 /// the technique that connects at the edge before the vertex, `mergeable` 1 if photons may be
-/// merged here.
+/// merged here, `independence` what MisWeights::independence says of scattering back.
 inline MisSums mis_sums(const MisPartials& partials, float pdf_backward, float technique_count,
-                        float mergeable) {
+                        float mergeable, float independence = 1) {
   return {technique_count * partials.inverse_pdf + pdf_backward * partials.connection,
-          mergeable + pdf_backward * partials.merging};
+          mergeable + independence * pdf_backward * partials.merging};
 }
 
 /// The same at a vertex that scatters by a delta lobe: nothing connects or merges here.
@@ -66,11 +69,18 @@ class MisWeights {
     return length > 1 || counts_.merge_direct ? 1.0f : 0.0f;
   }
 
-  /// s, t ≥ 2.
+  /// By what a scattering of the camera path, of finite density per solid angle, reduces the count
+  /// of all merges behind it: they share its direction (after Grittmann et al. 2021,
+  /// "Correlation-Aware Multiple Importance Sampling"; docs/mis.md).
+  float independence(float pdf_scattering) const {
+    return std::min(1.0f, pdf_scattering * counts_.independent_angle);
+  }
+
+  /// s, t ≥ 2. `light_share`: independence of a merge at the light's vertex.
   float connection(const MisSums& light, float pdf_arrival_light, const MisSums& camera,
-                   float pdf_arrival_camera, float eta) const {
+                   float pdf_arrival_camera, float eta, float light_share) const {
     const float others =
-        pdf_arrival_light * light.total(eta) + pdf_arrival_camera * camera.total(eta);
+        pdf_arrival_light * light.total(eta * light_share) + pdf_arrival_camera * camera.total(eta);
     return 1 / (1 + others / counts_.connections);
   }
 
@@ -96,9 +106,12 @@ class MisWeights {
     return 1 / (1 + others / counts_.emission);
   }
 
-  /// Merging, with sums closed without a technique of their own (see merging_sums).
-  float merging(const MisSums& light, const MisSums& camera, float eta) const {
-    return 1 / (1 + (light.connection + camera.connection) / eta + light.merging + camera.merging);
+  /// Merging, with sums closed without a technique of their own. `share`: independence of the
+  /// camera's vertex.
+  float merging(const MisSums& light, const MisSums& camera, float eta, float share) const {
+    // Behind very many bounces the share may be too small for a float.
+    return share / (share * (1 + light.merging) + (light.connection + camera.connection) / eta +
+                    camera.merging);
   }
 
  private:

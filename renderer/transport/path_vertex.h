@@ -20,6 +20,7 @@ struct PathVertex {
   const Medium* medium;    // that the arriving segment passed
   float survival;          // probability that the walk goes on from here
   int length;              // segments from vertex 0
+  float merge_share = 1;   // of a camera path: product of MisWeights::independence so far
   bool is_specular_chain;  // every vertex before (if any) scattered by a delta lobe
 
   /// Light vertex of a caustic: light came here by specular bounces alone, at least one.

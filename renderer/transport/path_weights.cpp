@@ -18,7 +18,7 @@ float path_weight(const MisWeights& weights, const PathVertex& vertex,
                   const DirectConnection& connection, float eta) {
   const MisSums sums = mis_sums(vertex.partials, connection.pdf_backward,
                                 weights.count_before_camera_vertex(vertex.length),
-                                weights.mergeable_light_vertex(1));
+                                weights.mergeable_light_vertex(1) * vertex.merge_share);
   return weights.next_event(sums, connection.emission_ratio, connection.hit_ratio, eta);
 }
 
@@ -26,11 +26,14 @@ float path_weight(const MisWeights& weights, const PathVertex& light, const Path
                   const VertexConnection& connection, float eta) {
   const MisSums light_sums = mis_sums(light.partials, connection.pdf_backward_light,
                                       weights.count_before_light_vertex(light.length),
-                                      weights.mergeable_light_vertex(light.length));
-  const MisSums camera_sums = mis_sums(camera.partials, connection.pdf_backward_camera,
-                                       weights.count_before_camera_vertex(camera.length), 1.0f);
-  return weights.connection(light_sums, connection.pdf_arrival_light, camera_sums,
-                            connection.pdf_arrival_camera, eta);
+                                      weights.mergeable_light_vertex(light.length),
+                                      weights.independence(connection.pdf_backward_light));
+  const MisSums camera_sums =
+      mis_sums(camera.partials, connection.pdf_backward_camera,
+               weights.count_before_camera_vertex(camera.length), camera.merge_share);
+  return weights.connection(
+      light_sums, connection.pdf_arrival_light, camera_sums, connection.pdf_arrival_camera, eta,
+      camera.merge_share * weights.independence(connection.pdf_scattering_camera));
 }
 
 float path_weight(const MisWeights& weights, const PathVertex& vertex,
@@ -38,7 +41,8 @@ float path_weight(const MisWeights& weights, const PathVertex& vertex,
   const bool can_merge = weights.counts().merge_direct || !vertex.is_caustic();
   const MisSums sums = mis_sums(vertex.partials, connection.pdf_backward,
                                 weights.count_before_light_vertex(vertex.length),
-                                can_merge ? weights.mergeable_light_vertex(vertex.length) : 0.0f);
+                                can_merge ? weights.mergeable_light_vertex(vertex.length) : 0.0f,
+                                weights.independence(connection.pdf_backward));
   return weights.light_tracing(sums, connection.pdf_arrival, eta);
 }
 
@@ -81,10 +85,11 @@ float path_weight(const MisWeights& weights, const PathVertex& vertex, const Mer
                   float eta) {
   // The merge itself stands apart, so no technique is counted at its own vertex.
   return weights.merging(mis_sums(merge.photon, merge.pdf_to_light,
-                                  weights.count_before_light_vertex(merge.photon_length), 0.0f),
+                                  weights.count_before_light_vertex(merge.photon_length), 0.0f,
+                                  weights.independence(merge.pdf_to_light)),
                          mis_sums(vertex.partials, merge.pdf_to_camera,
                                   weights.count_before_camera_vertex(vertex.length), 0.0f),
-                         eta);
+                         eta, vertex.merge_share);
 }
 
 }  // namespace guidelight

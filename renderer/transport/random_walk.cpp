@@ -53,6 +53,7 @@ PathVertex RandomWalk::arrive(const Subpath& path, const Hit& hit) const {
                     .medium = path.medium,
                     .survival = 1,
                     .length = path.length + 1,
+                    .merge_share = path.merge_share,
                     .is_specular_chain = path.is_specular_chain};
   if (path.medium) vertex.throughput *= path.medium->transmittance(hit.t);
   vertex.survival = survival_probability(vertex.point);
@@ -97,8 +98,11 @@ bool RandomWalk::scatter(Subpath& path, const PathVertex& vertex,
     const bool from_light = mode_ == TransportMode::Importance;
     const float count = from_light ? weights_.count_before_light_vertex(vertex.length)
                                    : weights_.count_before_camera_vertex(vertex.length);
-    const float mergeable = from_light ? weights_.mergeable_light_vertex(vertex.length) : 1.0f;
-    path.sums = mis_sums(vertex.partials, pdf_backward, count, mergeable);
+    const float mergeable =
+        from_light ? weights_.mergeable_light_vertex(vertex.length) : vertex.merge_share;
+    path.sums = mis_sums(vertex.partials, pdf_backward, count, mergeable,
+                         from_light ? weights_.independence(pdf_backward) : 1.0f);
+    if (!from_light) path.merge_share *= weights_.independence(sample->pdf * vertex.survival);
     path.merging_before_origin = pdf_backward * vertex.partials.merging;
     path.pdf_backward = pdf_backward;
   }

@@ -24,6 +24,7 @@ struct Subpath {
                            // solid angle, survival included
   float cos_origin = 1;    // between the direction and the geometric normal at the origin
   MisSums sums;            // at the origin
+  float merge_share = 1;   // see PathVertex
   float merging_before_origin = 0;  // the part of sums.merging without the origin itself
   const Medium* medium = nullptr;
   int length = 0;              // segments before this one

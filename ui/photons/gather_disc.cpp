@@ -44,10 +44,11 @@ std::optional<GatherDisc> gather_disc(const Document& document, const PhotonSear
   if (const auto* merging = dynamic_cast<const BidirectionalSettings*>(job.settings.get())) {
     if (!merging->merges()) return std::nullopt;
     const MergingRadius radius(*job.scene, *merging, pass, 1, {});
-    const float distance = glm::distance(point.position, job.scene->camera().position());
-    return merging->merges_nearest()
-               ? nearest_disc(photons, point, merging->neighbors, radius.at(distance))
-               : merging_disc(photons, point, radius.at(distance));
+    const Camera& camera = job.scene->camera();
+    const float here =
+        radius.seen_directly(camera, glm::distance(point.position, camera.position()));
+    return merging->merges_nearest() ? nearest_disc(photons, point, merging->neighbors, here)
+                                     : merging_disc(photons, point, here);
   }
   return std::nullopt;
 }

@@ -58,7 +58,7 @@ void TechniqueGallery::ask(Document::Clock::time_point now) {
         // `this` is only used on the UI thread, which drops what is posted once the gallery is
         // gone.
         std::shared_ptr<Kept> kept;
-        if (images->passes() > 0) {
+        if (!images->empty()) {
           const int side = std::max(images->width(), images->height());
           kept = std::make_shared<Kept>(
               Kept{images->develop((side + kThumbnail - 1) / kThumbnail), enlarged, {}});

@@ -55,6 +55,7 @@ void CameraStage::render(const PixelRegion& tile, const LightSide& light, Film& 
   for (int y = tile.y0; y < tile.y1; ++y) {
     for (int x = tile.x0; x < tile.x1; ++x) film.add_sample(x, y, states_[i++].sample);
   }
+  if (setup_.techniques) setup_.techniques->add_samples(tile);
 }
 
 void CameraStage::start(const PixelRegion& tile, const Filter& filter) {
@@ -67,7 +68,12 @@ void CameraStage::start(const PixelRegion& tile, const Filter& filter) {
       const Filter::Sample offset = filter.sample(rng.next_vec2());
       paths_.push_back(
           start_camera_path(setup_.scene, Vec2(x + 0.5f, y + 0.5f) + offset.offset, rng));
-      states_.emplace_back().sample.filter_weight = offset.weight;
+      PathState& state = states_.emplace_back();
+      state.sample.filter_weight = offset.weight;
+      if (setup_.radius.needs_footprint()) {
+        const Subpath& path = paths_.back();
+        state.footprint.emplace(path.ray.direction, path.is_parallel);
+      }
     }
   }
 }
@@ -102,14 +108,16 @@ bool CameraStage::visit(uint32_t index, Subpath& path, const PathVertex& vertex,
   const int length = vertex.length;
   PathState& state = states_[index];
   state.extend(path);
-  state.distance += vertex.hit.t;
+  if (state.footprint && vertex.is_specular_chain) {
+    state.footprint->arrive(setup_.scene, path.origin, vertex);
+  }
   if (length == 1) record_first_hit(state.sample, vertex.point, vertex.hit.t);
   if (vertex.point.light && setup_.is_shown(length)) add_emission(index, path, vertex);
   if (length >= setup_.max_length) return false;
   if (!scattering.is_connectible()) return true;
 
   if (vertex.is_specular_chain) {
-    state.radius = setup_.radius.at(state.distance);
+    state.radius = setup_.radius.at(state.footprint ? &*state.footprint : nullptr);
     state.eta = setup_.radius.eta(state.radius);
   }
   if (settings.next_event && setup_.is_shown(length + 1)) {
@@ -225,9 +233,9 @@ void CameraStage::merge(uint32_t index, const PathVertex& vertex, const Scatteri
                           .pdf_to_camera = bsdf.pdf_reverse * vertex.survival},
                          states_[index].eta);
   }
-  // Photons arrive through the true surface: their flux already contains its cosine.
-  const float cosine = std::abs(glm::dot(wi, vertex.point.geometric_normal));
-  const float scale = kernel / (cosine * static_cast<float>(setup_.light_path_count));
+  // Photons bring the cosine with them: see shaded_power().
+  const float scale =
+      kernel / (scattering.shading_cosine(wi) * static_cast<float>(setup_.light_path_count));
   add(index, photon.length() + 1, vertex.length + 1,
       vertex.throughput * bsdf.value * photon.power() * scale, weight,
       photon.caustic() && vertex.is_specular_chain, true);

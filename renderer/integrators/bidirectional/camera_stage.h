@@ -52,7 +52,7 @@ class CameraStage {
  private:
   /// A camera path beside its Subpath.
   struct PathState {
-    float distance = 0;       // from the lens
+    std::optional<RayFootprint> footprint;  // if the radius is asked to depend on it
     float radius = 0;         // of merging, once the first connectible vertex is known
     float eta = 0;            // see MisSums::total
     int finite_vertices = 0;  // that scattered by a finite lobe

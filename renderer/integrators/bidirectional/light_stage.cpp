@@ -27,7 +27,9 @@ void LightStage::trace(size_t first, size_t last, Film* film) {
     start(begin, std::min(begin + kTilePixels, last), begin - first);
     walk_.run(batch_.paths(), *this);
   }
-  if (film_) film_->add_splat_count(last - first);
+  if (!film_) return;
+  film_->add_splat_count(last - first);
+  if (setup_.techniques) setup_.techniques->add_light_paths(last - first);
 }
 
 void LightStage::start(size_t first, size_t last, size_t first_slot) {
@@ -47,9 +49,7 @@ bool LightStage::visit(uint32_t index, Subpath& path, const PathVertex& vertex,
   if (scattering.is_connectible()) {
     const BidirectionalSettings& settings = setup_.settings;
     if (settings.merges() && (length > 1 || settings.merge_direct)) {
-      photons_.push_back(make_photon(vertex.point.position, vertex.wo, vertex.throughput, length,
-                                     vertex.is_caustic(), vertex.partials));
-      if (path.guided) path.guided->left_photon(vertex.point.position);
+      add_photon(path, vertex, shaded_power(vertex, scattering));
     }
     if (settings.connections && length + 2 <= setup_.max_length) {
       vertices_.add(slots_[index], vertex);
@@ -59,12 +59,20 @@ bool LightStage::visit(uint32_t index, Subpath& path, const PathVertex& vertex,
   return length + 2 <= setup_.max_length;
 }
 
+void LightStage::add_photon(Subpath& path, const PathVertex& vertex, Color power) {
+  if (is_black(power)) return;
+  photons_.push_back(make_photon(vertex.point.position, vertex.wo, power, vertex.length,
+                                 vertex.is_caustic(), vertex.partials));
+  if (path.guided) path.guided->left_photon(vertex.point.position);
+}
+
 void LightStage::queue_splat(Subpath& path, const PathVertex& vertex,
                              const Scattering& scattering) {
   const auto lens =
       connect_to_lens(setup_.scene.camera(), vertex, scattering, path.rng.next_vec2());
   if (!lens) return;
-  const float eta = setup_.radius.eta(setup_.radius.at(lens->distance));
+  const Camera& camera = setup_.scene.camera();
+  const float eta = setup_.radius.eta(setup_.radius.seen_directly(camera, lens->distance));
   const float weight = path_weight(setup_.weights, vertex, *lens, eta);
   if (setup_.techniques) unweighted_.push_back({lens->contribution, vertex.length + 1});
   shadow_rays_.push_back(lens->shadow_ray);
@@ -77,14 +85,11 @@ void LightStage::queue_splat(Subpath& path, const PathVertex& vertex,
 
 void LightStage::record_techniques() {
   if (!setup_.techniques) return;
-  // The film divides by the number of light paths, and so must these.
-  const float scale = static_cast<float>(film_->width()) * static_cast<float>(film_->height()) /
-                      static_cast<float>(setup_.light_path_count);
   for (size_t i = 0; i < splats_.size(); ++i) {
     if (blocked_[i]) continue;
     const glm::ivec2 pixel(splats_[i].raster);
     setup_.techniques->add({.s = unweighted_[i].s, .t = 1}, pixel.x, pixel.y,
-                           scale * splats_[i].contribution, scale * unweighted_[i].contribution);
+                           splats_[i].contribution, unweighted_[i].contribution);
   }
   unweighted_.clear();
 }

@@ -23,6 +23,7 @@ class LightStage {
 
   /// Of the last trace().
   const LightVertices& vertices() const { return vertices_; }
+  /// Their power is the shaded_power(), times the number of light paths.
   const std::vector<Photon>& photons() const { return photons_; }
 
   // RandomWalk's visitor.
@@ -33,6 +34,7 @@ class LightStage {
  private:
   /// A batch of paths; `first_slot` is the place of the first among all of the trace().
   void start(size_t first, size_t last, size_t first_slot);
+  void add_photon(Subpath& path, const PathVertex& vertex, Color power);
   void record_techniques();
   void queue_splat(Subpath& path, const PathVertex& vertex, const Scattering& scattering);
 

@@ -8,6 +8,9 @@ namespace guidelight {
 
 namespace {
 
+/// Of VCM [sr], measured in docs/mis.md.
+constexpr float kIndependentAngle = 0.03f;
+
 TechniqueCounts technique_counts(const BidirectionalSettings& settings, size_t light_paths,
                                  size_t pixels, const LightPathStatistics& statistics) {
   TechniqueCounts counts;
@@ -21,6 +24,7 @@ TechniqueCounts technique_counts(const BidirectionalSettings& settings, size_t l
   }
   counts.merging = settings.merges() ? static_cast<float>(light_paths) : 0.0f;
   counts.merge_direct = settings.merge_direct;
+  if (settings.kind == BidirectionalKind::Vcm) counts.independent_angle = kIndependentAngle;
   return counts;
 }
 

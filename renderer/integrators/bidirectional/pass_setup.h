@@ -14,17 +14,20 @@ struct LightPathStatistics {
 };
 
 /// The merging radius of one pass. It belongs to a full path: from the scene's size it is the same
-/// for all, from the pixel's footprint it depends on how far light travels from the camera to the
-/// first vertex that is not specular. Every technique can find that out, so the weights still sum
+/// for all, from the pixel's footprint it depends on the way from the camera to the first vertex
+/// that is not specular. Every technique can find that out, so the weights still sum
 /// to 1.
 class MergingRadius {
  public:
   MergingRadius(const Scene& scene, const BidirectionalSettings& settings, uint32_t pass,
                 size_t light_paths, const LightPathStatistics& statistics);
 
-  /// `distance`: length of the camera path up to its first vertex that is not specular. For the k
-  /// nearest photons this is only the longest distance.
-  float at(float distance) const { return shrink_ * initial_.at(distance); }
+  /// As of SearchRadius. For the k nearest photons this is only the longest distance.
+  float at(const RayFootprint* footprint) const { return shrink_ * initial_.at(footprint); }
+  float seen_directly(const Camera& camera, float distance) const {
+    return shrink_ * initial_.seen_directly(camera, distance);
+  }
+  bool needs_footprint() const { return initial_.needs_footprint(); }
   /// Light paths merged with × merging area, for the weights. For the k nearest photons, whose
   /// area is not known to other techniques, it is that of photons spread evenly over the scene:
   /// weights sum to 1 with any value.

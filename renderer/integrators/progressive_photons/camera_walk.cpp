@@ -26,7 +26,11 @@ void CameraWalk::trace(const PixelRegion& tile, const Filter& filter, const Meas
         if (i == 0) offset = rng.next_vec2();
         const Filter::Sample at = filter.sample(evenly_spread(offset, i));
         subpaths_.push_back(start_camera_path(scene_, Vec2(x + 0.5f, y + 0.5f) + at.offset, rng));
-        paths_.push_back({.weight = at.weight / static_cast<float>(settings_.per_pixel)});
+        CameraPath& path = paths_.emplace_back();
+        path.weight = at.weight / static_cast<float>(settings_.per_pixel);
+        if (settings_.need_footprints) {
+          path.footprint.emplace(subpaths_.back().ray.direction, subpaths_.back().is_parallel);
+        }
       }
     }
   }
@@ -64,11 +68,11 @@ void CameraWalk::escaped(uint32_t index, Subpath& path) {
   }
 }
 
-bool CameraWalk::visit(uint32_t index, Subpath&, const PathVertex& vertex,
+bool CameraWalk::visit(uint32_t index, Subpath& subpath, const PathVertex& vertex,
                        const Scattering& scattering) {
   if (!vertex.is_specular_chain) return false;  // the light that comes this way has been measured
   CameraPath& path = paths_[index];
-  path.distance += vertex.hit.t;
+  if (path.footprint) path.footprint->arrive(scene_, subpath.origin, vertex);
   if (vertex.length == 1) record_first_hit(path.sample, vertex.point, vertex.hit.t);
   if (const Light* light = vertex.point.light) {
     add_emission(index, vertex.length,

@@ -5,6 +5,7 @@
 
 #include "renderer/integrators/tiles.h"
 #include "renderer/transport/random_walk.h"
+#include "renderer/transport/ray_footprint.h"
 
 namespace guidelight {
 
@@ -12,7 +13,7 @@ namespace guidelight {
 struct CameraPath {
   FilmSample sample{};  // what it saw first, and emission that it found by specular bounces alone
   float weight = 1;     // of the path among those of its pixel, pixel filter included
-  float distance = 0;   // from the lens to its end
+  std::optional<RayFootprint> footprint{};  // at its end, if wanted
 };
 
 /// Traces the camera paths of a tile to where light is measured: the first vertex that scatters by
@@ -26,6 +27,7 @@ class CameraWalk {
     int max_length;
     uint64_t seed;
     uint64_t pass;
+    bool need_footprints;  // the caller asks for those of the paths
   };
   /// Called where path `index` is to measure light.
   using Measure =

@@ -30,8 +30,8 @@ struct MeasuredPhotons {
   int max_length;
 };
 
-/// Adds the flux of the photons around a point. `surface()` is asked for the Scattering and the
-/// geometric normal there, once photons have been found.
+/// Adds the flux of the photons around a point. `surface()` is asked for the Scattering there, once
+/// photons have been found.
 ///
 /// The excess estimates the bias from the photons' distances d. Where the density of the flux is
 /// L + ¼ΔL·d² in the mean over directions, u = d²/R² is uniform in [0,1] up to the second term, so
@@ -46,13 +46,13 @@ void gather(const MeasuredPhotons& map, const GatherPoint& point, SurfaceAt&& su
       point.position, point.radius, [&](const Photon& photon, float distance_squared) {
         const int length = photon.length() + point.length;
         if (length < map.min_length || length > map.max_length) return;
-        const auto& [scattering, normal] = surface();
+        const Scattering& scattering = surface();
         const Vec3 wi = photon.direction();
         const Color value = scattering.value(wi);
         if (is_black(value)) return;
-        // Photons arrive through the true surface: their flux already contains its cosine.
-        const float cosine = std::abs(glm::dot(wi, normal));
-        const Color flux = point.throughput * value * photon.power() / cosine;
+        // Photons bring the cosine with them: see shaded_power().
+        const Color bsdf = value / scattering.shading_cosine(wi);
+        const Color flux = point.throughput * bsdf * photon.power();
         ++found.count;
         (length <= 2 ? found.direct : found.indirect) += flux;
         if (photon.caustic()) found.caustic += flux;

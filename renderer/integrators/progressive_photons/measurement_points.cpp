@@ -2,7 +2,8 @@
 
 namespace guidelight {
 
-void MeasurementPoints::place(const Scene& scene, const CameraWalk::Paths& paths, const Film& film,
+void MeasurementPoints::place(const Scene& scene, const CameraWalk::Paths& paths,
+                              const SearchRadius& radius, const Film& film,
                               const PassContext& context) {
   const Key key{context.seed, film.width(), film.height(), context.region};
   if (placed_for_ == key) return;
@@ -14,11 +15,12 @@ void MeasurementPoints::place(const Scene& scene, const CameraWalk::Paths& paths
     walk.trace(tile.pixels, film.filter(),
                [&](uint32_t i, const PathVertex& vertex, const Scattering&) {
                  const CameraPath& path = walk.paths()[i];
-                 placed.points.push_back({.point = {vertex.hit, vertex.point.position, vertex.wo},
-                                          .throughput = path.weight * vertex.throughput,
-                                          .distance = path.distance,
-                                          .path = i,
-                                          .length = vertex.length});
+                 placed.points.push_back(
+                     {.point = {vertex.hit, vertex.point.position, vertex.wo},
+                      .throughput = path.weight * vertex.throughput,
+                      .initial_radius = radius.at(path.footprint ? &*path.footprint : nullptr),
+                      .path = i,
+                      .length = vertex.length});
                });
     placed.points.shrink_to_fit();
     const size_t pixels = walk.paths().size() / paths.per_pixel;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "renderer/integrators/progressive_photons/camera_walk.h"
+#include "renderer/integrators/search_radius.h"
 #include "renderer/transport/stored_point.h"
 
 namespace guidelight {
@@ -12,9 +13,9 @@ namespace guidelight {
 struct MeasurementPoint {
   StoredPoint point;
   Color throughput;  // of the camera path, times its weight in the pixel
-  float distance;    // from the lens
-  uint32_t path;     // of the tile's
-  int32_t length;    // segments
+  float initial_radius;
+  uint32_t path;   // of the tile's
+  int32_t length;  // segments
 };
 
 struct TilePoints {
@@ -26,8 +27,8 @@ struct TilePoints {
 class MeasurementPoints {
  public:
   /// Traces the points, if they are not there from the pass before. Throws Stopped.
-  void place(const Scene& scene, const CameraWalk::Paths& paths, const Film& film,
-             const PassContext& context);
+  void place(const Scene& scene, const CameraWalk::Paths& paths, const SearchRadius& radius,
+             const Film& film, const PassContext& context);
 
   const TilePoints& of(const Tile& tile) const { return tiles_[tile.index]; }
   size_t bytes() const;

@@ -17,11 +17,6 @@ namespace guidelight {
 
 namespace {
 
-struct SurfaceLight {
-  Scattering scattering;
-  Vec3 normal;
-};
-
 class ProgressivePhotons : public Integrator {
  public:
   ProgressivePhotons(std::shared_ptr<const Scene> scene, const ProgressivePhotonSettings& settings)
@@ -45,7 +40,7 @@ class ProgressivePhotons : public Integrator {
         measure_at_new_points(tile, {context.seed, pass}, film);
       });
     } else {
-      points_.place(*scene_, camera_paths({context.seed, 0}), film, context);
+      points_.place(*scene_, camera_paths({context.seed, 0}), initial_radius_, film, context);
       for_each_tile(film, context, [&](const Tile& tile) { measure_at_fixed_points(tile, film); });
     }
     if (context.history) context.history->record(film);
@@ -58,8 +53,12 @@ class ProgressivePhotons : public Integrator {
   };
 
   CameraWalk::Paths camera_paths(RandomStream random) const {
-    return {settings_.paths_per_pixel(), settings_.min_length, max_length_, random.seed,
-            random.pass};
+    return {settings_.paths_per_pixel(),
+            settings_.min_length,
+            max_length_,
+            random.seed,
+            random.pass,
+            initial_radius_.needs_footprint()};
   }
 
   void trace_photons(uint32_t pass, const Film& film, const PassContext& context) {
@@ -90,19 +89,19 @@ class ProgressivePhotons : public Integrator {
     CameraWalk walk(*scene_, camera_paths(random));
     std::vector<FoundLight> found(kTilePixels);
     const int columns = tile.pixels.x1 - tile.pixels.x0;
-    walk.trace(tile.pixels, film.filter(),
-               [&](uint32_t i, const PathVertex& vertex, const Scattering& scattering) {
-                 DensityEstimate& estimate =
-                     film.density_estimates(tile.pixels.x0 + static_cast<int>(i) % columns,
-                                            tile.pixels.y0 + static_cast<int>(i) / columns)[0];
-                 const CameraPath& path = walk.paths()[i];
-                 const GatherPoint point{vertex.point.position, path.weight * vertex.throughput,
-                                         vertex.length,
-                                         radius_of(estimate, initial_radius_.at(path.distance))};
-                 const SurfaceLight surface{scattering, vertex.point.geometric_normal};
-                 gather(
-                     map_, point, [&]() -> const SurfaceLight& { return surface; }, found[i]);
-               });
+    walk.trace(
+        tile.pixels, film.filter(),
+        [&](uint32_t i, const PathVertex& vertex, const Scattering& scattering) {
+          DensityEstimate& estimate =
+              film.density_estimates(tile.pixels.x0 + static_cast<int>(i) % columns,
+                                     tile.pixels.y0 + static_cast<int>(i) / columns)[0];
+          const CameraPath& path = walk.paths()[i];
+          const GatherPoint point{
+              vertex.point.position, path.weight * vertex.throughput, vertex.length,
+              radius_of(estimate, initial_radius_.at(path.footprint ? &*path.footprint : nullptr))};
+          gather(
+              map_, point, [&]() -> const Scattering& { return scattering; }, found[i]);
+        });
     finish(
         tile, found, [&](size_t pixel) { return walk.pixel_sample(pixel); }, film);
   }
@@ -118,18 +117,17 @@ class ProgressivePhotons : public Integrator {
           film.density_estimates(tile.pixels.x0 + pixel % columns,
                                  tile.pixels.y0 + pixel / columns)[measured.path % per_pixel];
       const GatherPoint point{measured.point.position, measured.throughput, measured.length,
-                              radius_of(estimate, initial_radius_.at(measured.distance))};
+                              radius_of(estimate, measured.initial_radius)};
       std::optional<SurfacePoint> restored;
-      std::optional<SurfaceLight> surface;
-      const auto surface_at = [&]() -> const SurfaceLight& {
-        if (!surface) {
+      std::optional<Scattering> scattering;
+      const auto scattering_at = [&]() -> const Scattering& {
+        if (!scattering) {
           restored = measured.point.restore(*scene_);
-          surface.emplace(Scattering(*restored, measured.point.wo, TransportMode::Radiance),
-                          restored->geometric_normal);
+          scattering.emplace(*restored, measured.point.wo, TransportMode::Radiance);
         }
-        return *surface;
+        return *scattering;
       };
-      gather(map_, point, surface_at, found[measured.path]);
+      gather(map_, point, scattering_at, found[measured.path]);
     }
     finish(
         tile, found, [&](size_t pixel) { return points.samples[pixel]; }, film);

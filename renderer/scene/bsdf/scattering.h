@@ -48,6 +48,14 @@ class Scattering {
     return result;
   }
 
+  /// |wo·ns|/|wo·ng|: how much more light the shading surface takes from wo than meets the true
+  /// one. The part of (5.19) that belongs to wo; 0 where wo leaks.
+  float shading_gain() const {
+    return wo_local_.z * wo_cos_geometric_ > 0 ? wo_local_.z / wo_cos_geometric_ : 0.0f;
+  }
+  /// |wi·ns|, the cosine in the `value` of radiance.
+  float shading_cosine(Vec3 wi) const { return std::abs(glm::dot(wi, point_->frame.n)); }
+
   // One of the three alone.
   Color value(Vec3 wi) const { return evaluate(wi).value; }
   float pdf(Vec3 wi) const { return evaluate(wi).pdf; }

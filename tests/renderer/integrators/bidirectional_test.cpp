@@ -5,6 +5,7 @@
 #include "renderer/error.h"
 #include "renderer/image/technique_images.h"
 #include "renderer/photons/photon_cloud.h"
+#include "renderer/session/stopwatch.h"
 #include "tests/renderer/test_scenes.h"
 #include "tests/statistics/hypothesis_tests.h"
 
@@ -31,7 +32,6 @@ Film render_with(std::shared_ptr<const Scene> scene, const std::string& name,
     integrator->render_pass(pass, film,
                             {.seed = seed, .parallel = &parallel, .techniques = techniques});
     film.finish_pass();
-    if (techniques) techniques->finish_pass();
   }
   return film;
 }
@@ -176,6 +176,37 @@ TEST(Techniques, weighted_ones_sum_to_the_picture_and_raw_ones_are_complete_alon
       // Close vertices connected give raw ones a few huge values.
       EXPECT_NEAR(raw, expected, 0.1 * expected) << "length " << length;
     }
+  }
+}
+
+TEST(Techniques, sum_to_the_picture_of_a_pass_that_is_given_up) {
+  const auto scene = testing::build(testing::room(128, 128));
+  for (const char* name : {"bdpt", "vcm"}) {
+    Film film(128, 128, scene->camera().film().filter);
+    TechniqueImages techniques(128, 128);
+    WorkControl control;
+    Parallel parallel(2, &control);
+    const PassContext context{.seed = 1, .parallel = &parallel, .techniques = &techniques};
+    const auto integrator =
+        find_integrator(name).create(scene, *settings_for(name, {{"max_length", "9"}}));
+    const Stopwatch watch;
+    integrator->render_pass(0, film, context);
+    const std::chrono::duration<double> midway(0.7 * watch.seconds());
+    std::thread stopper([&] {
+      std::this_thread::sleep_for(midway);
+      control.request_stop();
+    });
+    EXPECT_THROW(
+        {
+          for (uint32_t pass = 1;; ++pass) integrator->render_pass(pass, film, context);
+        },
+        Stopped);
+    stopper.join();
+    double sum = 0;
+    for (const auto& [technique, pair] : techniques.develop()) {
+      sum += luminance(testing::mean_color(pair.weighted));
+    }
+    EXPECT_NEAR(sum, mean(film), 1e-3 * mean(film)) << name;
   }
 }
 

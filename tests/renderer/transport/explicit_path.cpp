@@ -57,6 +57,15 @@ class Densities {
 
   bool is_delta(int j) const { return path_.vertices[j - 1].is_delta; }
 
+  /// Of the camera path that merges at x_m: the product over its finite scatterings.
+  double independence(int m, double angle) const {
+    double product = 1;
+    for (int j = m + 1; j < k(); ++j) {
+      if (!is_delta(j)) product *= std::min(1.0, angle * scatter(j, j + 1, j - 1));
+    }
+    return product;
+  }
+
  private:
   Vec3 position(int j) const {
     if (j == 0) return path_.light_position;
@@ -144,7 +153,7 @@ OracleWeights oracle_weights(const Scene& scene, const ExplicitPath& path,
     const bool is_direct = m == 1 || (m == k - 1 && is_caustic);
     is_caustic &= p.is_delta(m);
     if (p.is_delta(m) || (is_direct && !counts.merge_direct)) continue;
-    merging[m] = eta * product(m + 1, m);
+    merging[m] = eta * p.independence(m, counts.independent_angle) * product(m + 1, m);
   }
 
   long double sum = 0;

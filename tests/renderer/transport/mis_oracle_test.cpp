@@ -257,9 +257,10 @@ class Closures {
     const Scattering scattering(from.point, from.wo, TransportMode::Importance);
     const float pdf = scattering.pdf(w) * from.survival;
     if (!(pdf > 0) || is_black(scattering.value(w))) return photon;
-    const MisSums sums = mis_sums(from.partials, scattering.pdf_reverse(w) * from.survival,
-                                  weights_.count_before_light_vertex(from.length),
-                                  weights_.mergeable_light_vertex(from.length));
+    const float pdf_backward = scattering.pdf_reverse(w) * from.survival;
+    const MisSums sums =
+        mis_sums(from.partials, pdf_backward, weights_.count_before_light_vertex(from.length),
+                 weights_.mergeable_light_vertex(from.length), weights_.independence(pdf_backward));
     const float squared = glm::dot(d, d);
     const float inverse_pdf =
         squared / (pdf * std::abs(glm::dot(w, target.point.geometric_normal)));
@@ -387,6 +388,8 @@ TEST_P(MisOracle, WeightsOfAllClosures) {
     counts.light_tracing = 0.7f;
     counts.connections = 1.3f;
     counts.merge_direct = merge_direct;
+    // Larger and smaller than the inverse of the densities that occur.
+    if (merge_direct) counts.independent_angle = 0.5f;
     Closures closures(scene, counts, 0.02f);
     for (uint64_t i = 0; i < 8000; ++i) closures.try_path(i);
     const Agreement& agreement = closures.agreement();
