@@ -10,6 +10,8 @@
 #include <condition_variable>
 #include <mutex>
 
+#include "renderer/parallel/worker_counter.h"
+
 #ifdef __SANITIZE_THREAD__
 #include <sanitizer/tsan_interface.h>
 #endif
@@ -126,6 +128,7 @@ void Parallel::for_each(size_t count, const std::function<void(size_t)>& body) {
           for (size_t i = range.begin(); i < range.end(); ++i) {
             if (control_ && !control_->may_continue()) throw Stopped();
             const DenormalsFlushed flushed;
+            const WorkerCounter::Place place(tbb::this_task_arena::current_thread_index());
             hand_over.piece_begins();
             body(i);
             hand_over.piece_ends();

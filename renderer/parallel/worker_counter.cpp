@@ -1,16 +1,22 @@
 #include "renderer/parallel/worker_counter.h"
 
-#include <tbb/task_arena.h>
+#include <utility>
 
 namespace guidelight {
+namespace {
+
+thread_local int place = 0;  // asking oneTBB for each ray would cost Markov chains another per cent
+
+}  // namespace
+
+WorkerCounter::Place::Place(int index) : outer_(std::exchange(place, index)) {}
+WorkerCounter::Place::~Place() { place = outer_; }
 
 WorkerCounter::WorkerCounter(int threads) : cells_(static_cast<size_t>(threads)) {}
 
-/// The thread that starts a loop takes part in it, so outside of loops it may use the first cell.
 void WorkerCounter::add(uint64_t count) {
-  const int index = tbb::this_task_arena::current_thread_index();
-  const bool is_worker = index > 0 && index < static_cast<int>(cells_.size());
-  std::atomic<uint64_t>& value = cells_[is_worker ? index : 0].value;
+  const auto index = static_cast<size_t>(place);
+  std::atomic<uint64_t>& value = cells_[index < cells_.size() ? index : 0].value;
   // No other thread writes to this cell, so this needs no locked instruction.
   value.store(value.load(std::memory_order_relaxed) + count, std::memory_order_relaxed);
 }

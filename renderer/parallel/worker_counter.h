@@ -18,6 +18,19 @@ class WorkerCounter {
   /// From any thread, at any time.
   uint64_t total() const;
 
+  /// Names the cell of the calling thread while this lives. Parallel makes one for each piece of
+  /// work; outside of loops it is the first.
+  class Place {
+   public:
+    explicit Place(int index);
+    ~Place();
+    Place(const Place&) = delete;
+    Place& operator=(const Place&) = delete;
+
+   private:
+    int outer_;  // of the loop around this one
+  };
+
  private:
   struct alignas(64) Cell {
     std::atomic<uint64_t> value = 0;
