@@ -48,6 +48,7 @@ class TechniqueImages {
   // pass that is given up leaves the right images.
   /// One more camera path of each pixel. Different pixels may be counted by different threads.
   void add_samples(const PixelRegion& pixels);
+  uint32_t samples(int x, int y) const { return samples_[static_cast<size_t>(y) * width_ + x]; }
   /// Of light paths that were connected to the lens, t = 1. Thread safe.
   void add_light_paths(uint64_t count) { light_paths_ += count; }
   /// Whether no path has been counted. Thread safe.

@@ -346,13 +346,13 @@ TEST(RenderSession, keeps_techniques_apart_from_when_it_is_asked_to) {
   session.set_techniques(techniques);
   std::atomic<uint32_t> kept = 0;
   ASSERT_TRUE(eventually([&] {
-    session.save([&](const RenderProgress&) { kept = techniques->passes(); });
+    session.save([&](const RenderProgress&) { kept = techniques->samples(0, 0); });
     return kept >= 2;
   }));
   session.set_techniques(nullptr);
   session.stop();
   session.wait();
-  EXPECT_LT(techniques->passes(), session.snapshot()->passes);
+  EXPECT_LT(techniques->samples(0, 0), session.snapshot()->passes);
   EXPECT_GE(techniques->develop().size(), 6u);
 }
 
