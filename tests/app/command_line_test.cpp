@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <pty.h>
 #include <sys/wait.h>
 
 #include <cstdio>
@@ -187,6 +188,53 @@ TEST_F(CommandLine, compares_pictures) {
   EXPECT_EQ(other.status, 0);
   EXPECT_THAT(other.text, HasSubstr("relMSE"));
   EXPECT_EQ(read_image(path("map.png")).width(), 32);
+}
+
+TEST_F(CommandLine, output_that_cannot_be_written) {
+  // Messages may be lost, pictures not, and a list that is asked for only with an error.
+  EXPECT_EQ(run("render '" + scene() + "' --size 8x8 --spp 2 -o a.exr 2>&-").status, 0);
+  EXPECT_EQ(run("render '" + scene() + "' --size 8x8 --spp 2 -o a.exr 2>/dev/full").status, 0);
+  EXPECT_EQ(run("info missing.xml 2>/dev/full").status, 1);
+  EXPECT_EQ(run("compare a.exr a.exr --json >/dev/full").status, 1);
+  EXPECT_EQ(run("compare a.exr a.exr --json >&- #").status, 1);
+  EXPECT_EQ(read_image(path("a.exr")).width(), 8);
+}
+
+/// What the program writes to a terminal of this many columns.
+std::string on_terminal(unsigned short columns, const std::string& arguments) {
+  const winsize size{24, columns, 0, 0};
+  int terminal = -1;
+  const pid_t child = ::forkpty(&terminal, nullptr, nullptr, &size);
+  if (child == 0) {
+    ::execl("/bin/sh", "sh", "-c", ("'" GUIDELIGHT_PROGRAM "' " + arguments).c_str(), nullptr);
+    ::_exit(127);
+  }
+  std::string text;
+  for (char buffer[4096];;) {
+    const ssize_t count = ::read(terminal, buffer, sizeof buffer);
+    if (count <= 0) break;  // the terminal ends with the program
+    text.append(buffer, static_cast<size_t>(count));
+  }
+  ::close(terminal);
+  ::waitpid(child, nullptr, 0);
+  return text;
+}
+
+TEST_F(CommandLine, the_progress_bar_keeps_to_one_row) {
+  for (const unsigned short columns : {40, 80, 120}) {
+    const std::string text = on_terminal(
+        columns, "render '" + scene() + "' --size 64x48 --time 0.7 -o '" + path("a.exr") + "'");
+    size_t longest = 0;
+    const std::string clear = "\r\033[K";
+    for (size_t at = text.find(clear); at != std::string::npos;) {
+      at += clear.size();
+      longest = std::max(longest, std::min(text.find_first_of("\r\n", at), text.size()) - at);
+      at = text.find(clear, at);
+    }
+    EXPECT_GT(longest, 30u) << text;
+    EXPECT_LT(longest, columns) << text;
+    EXPECT_EQ(text.find('#') != std::string::npos, columns > 40) << text;
+  }
 }
 
 TEST_F(CommandLine, lists_what_a_scene_holds) {
