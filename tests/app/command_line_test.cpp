@@ -130,6 +130,16 @@ TEST_F(CommandLine, an_interrupt_writes_what_is_there) {
   EXPECT_LT(std::stod(read_metadata(path("part.exr")).at("seconds")), 30);
 }
 
+TEST_F(CommandLine, a_second_interrupt_ends_it) {
+  // The picture goes into a pipe that nobody reads; one that is not ended is killed, as 137.
+  const Outcome outcome =
+      run("--version", "mkfifo pipe.png; '" GUIDELIGHT_PROGRAM "' render '" + scene() +
+                           "' --size 32x24 -o pipe.png --time 60 & p=$!;"
+                           "sleep 1; kill -TERM $p; sleep 1; kill -TERM $p;"
+                           "(sleep 3; kill -KILL $p) >/dev/null 2>&1 & wait $p; echo =$?;");
+  EXPECT_THAT(outcome.text, HasSubstr("=143")) << "128 + SIGTERM";
+}
+
 TEST_F(CommandLine, a_checkpoint_that_cannot_be_saved_loses_no_picture) {
   fs::create_directory(folder_ / "gone");
   const Outcome outcome =
