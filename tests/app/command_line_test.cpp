@@ -78,6 +78,15 @@ TEST_F(CommandLine, renders_exr_and_png_with_metadata) {
   EXPECT_EQ(read_image(path("a.png")).width(), 32);
 }
 
+TEST_F(CommandLine, settings_may_stand_before_the_scene) {
+  const Outcome outcome = run("render --set max_depth=4 --set rr_depth=3 '" + scene() +
+                              "' --size 8x8 --spp 1 -o a.exr");
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  const Metadata data = read_metadata(path("a.exr"));
+  EXPECT_EQ(data.at("set.max_depth"), "4");
+  EXPECT_EQ(data.at("set.rr_depth"), "3");
+}
+
 TEST_F(CommandLine, the_same_seed_gives_the_same_picture_on_any_number_of_threads) {
   ASSERT_EQ(render("-o one.exr --float --spp 4 --threads 1").status, 0);
   ASSERT_EQ(render("-o two.exr --float --spp 4 --threads 2").status, 0);
