@@ -23,6 +23,9 @@ struct SceneArguments {
   std::shared_ptr<const SceneDescription> read() const;
 };
 
+/// Width and height of --size WxH. Throws CLI::ValidationError for a film that cannot be rendered.
+std::pair<int, int> parse_size(const std::string& text);
+
 /// Splits "name=value". Throws CLI::ValidationError (exit status 2) naming the option.
 std::pair<std::string, std::string> split_assignment(const std::string& option,
                                                      const std::string& text);

@@ -124,6 +124,33 @@ TEST_F(CommandLine, a_scene_with_a_crop_window_is_rendered_in_that_size) {
   EXPECT_GT(picture.color(0, 0).y, 0);
 }
 
+TEST_F(CommandLine, another_size_keeps_the_place_of_the_crop_window) {
+  // The right half of the film sees a lamp, the left half nothing.
+  std::ofstream(path("half.xml")) << R"(<scene version="3.0.0">
+      <sensor type="perspective">
+        <film type="hdrfilm">
+          <integer name="width" value="40"/> <integer name="height" value="20"/>
+          <integer name="crop_offset_x" value="$x"/>
+          <integer name="crop_width" value="20"/> <integer name="crop_height" value="20"/>
+        </film>
+      </sensor>
+      <shape type="rectangle"> <emitter type="area"/>
+        <transform name="to_world">
+          <scale value="9"/> <rotate y="1" angle="180"/> <translate x="-9.001" z="3"/>
+        </transform>
+      </shape>
+    </scene>)";
+  for (const auto& [x, seen] : {std::pair("0", false), std::pair("20", true)}) {
+    const Outcome outcome =
+        run(std::string("render half.xml -o half.exr --size 8x8 --spp 1 -D x=") + x);
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    const Image picture = read_image(path("half.exr"));
+    ASSERT_EQ(picture.width(), 8);
+    EXPECT_EQ(picture.color(2, 4).y > 0, seen) << x;
+    EXPECT_EQ(picture.color(6, 4).y > 0, seen) << x;
+  }
+}
+
 TEST_F(CommandLine, stops_by_time_and_by_error) {
   const Outcome timed = render("-o t.exr --time 0.3");
   EXPECT_EQ(timed.status, 0) << timed.text;
