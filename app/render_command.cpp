@@ -94,6 +94,10 @@ void RenderCommand::run() const {
     check_writable(path);
   }
   if (!checkpoint.empty()) check_writable(checkpoint);
+  if (!techniques.empty()) {
+    check_argument("--techniques", [&] { check_techniques(techniques, render.integrator); });
+    check_writable(techniques);
+  }
   const RenderJob job = make_job();
   const InterruptGuard interrupt;
   ProgressBar progress;

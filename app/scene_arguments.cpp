@@ -48,6 +48,13 @@ std::pair<std::string, std::string> split_assignment(const std::string& option,
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
+CLI::Validator ends_in(const std::string& ending) {
+  return {[ending](const std::string& path) {
+            return path.ends_with(ending) ? "" : path + " does not end in " + ending;
+          },
+          "FILE" + ending};
+}
+
 std::vector<int> split_numbers(const std::string& option, const std::string& text, char separator,
                                size_t count) {
   std::vector<int> numbers;

@@ -40,6 +40,9 @@ auto check_argument(const std::string& option, const Look& look) {
   }
 }
 
+/// Checks the ending of a file's name.
+CLI::Validator ends_in(const std::string& ending);
+
 /// Numbers of a list such as 640x480 or 0,0,64,64. Throws CLI::ValidationError unless there are
 /// `count` whole numbers.
 std::vector<int> split_numbers(const std::string& option, const std::string& text, char separator,

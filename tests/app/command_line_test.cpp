@@ -297,7 +297,9 @@ TEST_F(CommandLine, says_why_it_failed_in_one_line_with_status_1) {
        {std::string("info missing.xml"), std::string("info broken.xml"),
         std::string("render broken.xml -o kept.exr"), std::string("compare kept.exr kept.exr"),
         "render '" + scene() + "' -o no/such/folder/a.exr --time 1000",
-        "render '" + scene() + "' -o a.exr --checkpoint no/such/folder/a --time 1000"}) {
+        "render '" + scene() + "' -o a.exr --checkpoint no/such/folder/a --time 1000",
+        "render '" + scene() +
+            "' -o a.exr --integrator bdpt --techniques no/such/a.exr --time 1000"}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.status, 1) << arguments << "\n" << outcome.text;
     EXPECT_THAT(outcome.text, HasSubstr("guidelight: ")) << arguments;
@@ -333,6 +335,14 @@ TEST_F(CommandLine, bad_arguments_have_status_2) {
   EXPECT_EQ(run("view --size 0x0").status, 2);
   EXPECT_EQ(run("view --size 70000x1").status, 2);
   EXPECT_EQ(run("compare a.exr").status, 2);
+  EXPECT_EQ(run("compare a.exr a.exr --error-map map.jpg").status, 2);
+  EXPECT_EQ(render("-o a.exr --size 0x9").status, 2);
+  EXPECT_EQ(render("-o a.exr --size 70000x9").status, 2);
+  EXPECT_EQ(render("-o a.exr --integrator bdpt --techniques t.png --time 99").status, 2);
+  EXPECT_EQ(render("-o a.exr --integrator path --techniques t.exr --time 99").status, 2);
+  EXPECT_EQ(run("view '" + scene() + "' --integrator magic").status, 2);
+  EXPECT_EQ(run("view '" + scene() + "' --size 0x0").status, 2);
+  EXPECT_EQ(run("view '" + scene() + "' --threads 5000").status, 2);
   EXPECT_EQ(run("--help").status, 0);
 }
 
