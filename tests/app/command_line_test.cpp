@@ -179,7 +179,7 @@ TEST_F(CommandLine, a_second_interrupt_ends_it) {
 TEST_F(CommandLine, a_checkpoint_that_cannot_be_saved_loses_no_picture) {
   fs::create_directory(folder_ / "gone");
   const Outcome outcome =
-      render("-o kept.exr --time 2 --checkpoint gone/state", "(sleep 1; rmdir gone) &");
+      render("-o kept.exr --time 2 --checkpoint gone/state", "{ (sleep 1; rmdir gone) & };");
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.text, HasSubstr("gone/state"));
   ASSERT_TRUE(fs::exists(path("kept.exr"))) << outcome.text;
