@@ -6,6 +6,7 @@
 #include "renderer/image/metrics.h"
 #include "renderer/image/pixel_region.h"
 #include "renderer/image/tonemap.h"
+#include "renderer/io/atomic_file.h"
 #include "renderer/io/image_file.h"
 #include "renderer/io/metrics_json.h"
 
@@ -51,6 +52,7 @@ Image CompareCommand::read(const std::string& path) const {
 }
 
 void CompareCommand::run() const {
+  if (!error_map.empty()) check_writable(error_map);
   const Image a = read(image);
   const Image b = read(reference);
   const ImageMetrics metrics = compare_images(a, b);
@@ -79,8 +81,10 @@ void add_compare_command(CLI::App& app) {
   command->add_option("IMAGE", arguments->image, "Picture to judge")->required();
   command->add_option("REFERENCE", arguments->reference, "Picture to judge by, same size")
       ->required();
-  command->add_option("--error-map", arguments->error_map,
-                      "Write relMSE per pixel as a false-colour .png, 1e-4 to 10");
+  command
+      ->add_option("--error-map", arguments->error_map,
+                   "Write relMSE per pixel as a false-colour .png, 1e-4 to 10")
+      ->check(ends_in(".png"));
   command->add_option("--crop", arguments->crop, "Judge only x0,y0,x1,y1 [pixels]");
   command->add_flag("--json", arguments->json, "Print one line of JSON");
   command->callback([arguments] { arguments->run(); });

@@ -1,9 +1,8 @@
 #include "app/guide_arguments.h"
 
-#include <fmt/core.h>
-
 #include <filesystem>
 
+#include "app/message.h"
 #include "renderer/io/guide_file.h"
 #include "renderer/transport/guide_check.h"
 
@@ -27,8 +26,8 @@ GuideList GuideArguments::read(const Scene& scene) const {
   for (const GuidePath& guide : *guides) {
     if (!guide.enabled) continue;
     for (const GuideFault& fault : check_guide(scene, guide)) {
-      fmt::print(stderr, "guidelight: warning: {}: guide '{}' is left out: vertex {}: {}\n", file,
-                 guide.name, fault.vertex, fault.message);
+      say("guidelight: warning: {}: guide '{}' is left out: vertex {}: {}\n", file, guide.name,
+          fault.vertex, fault.message);
     }
   }
   return guides;

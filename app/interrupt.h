@@ -3,6 +3,7 @@
 namespace guidelight {
 
 /// While it lives, Ctrl-C and the termination signal set a flag instead of ending the program.
+/// A second one, at least half a second later, ends it.
 class InterruptGuard {
  public:
   InterruptGuard();

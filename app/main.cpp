@@ -1,4 +1,4 @@
-#include <fmt/core.h>
+#include <fcntl.h>
 
 #include <algorithm>
 #include <array>
@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "app/commands.h"
+#include "app/message.h"
 
 namespace {
 
@@ -19,9 +20,15 @@ bool names_a_command(const CLI::App& app, std::string_view word) {
                      [&](const CLI::App* command) { return command->get_name() == word; });
 }
 
-}  // namespace
+/// Where standard output or error is closed, the next file that is opened would take its place, and
+/// messages end up in a picture. These places are taken so that nothing can be written there.
+void take_standard_files() {
+  for (int file = 0; file <= 2; ++file) {
+    if (::fcntl(file, F_GETFD) == -1) ::open("/dev/null", O_RDONLY);
+  }
+}
 
-int main(int argc, char** argv) {
+int run(std::vector<std::string> arguments) {
   CLI::App app{"Guidelight: a viewer and path editor for hard light transport", "guidelight"};
   app.set_version_flag("--version", GUIDELIGHT_VERSION);
   app.require_subcommand(1);
@@ -32,7 +39,6 @@ int main(int argc, char** argv) {
   guidelight::add_info_command(app);
   guidelight::add_guides_command(app);
 
-  std::vector<std::string> arguments(argv + 1, argv + argc);
   const bool asks_for_help =
       !arguments.empty() &&
       (arguments[0] == "-h" || arguments[0] == "--help" || arguments[0] == "--version");
@@ -46,7 +52,17 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : kBadArguments;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "guidelight: {}\n", error.what());
+    guidelight::say("guidelight: {}\n", error.what());
     return kFailed;
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  take_standard_files();
+  const int status = run({argv + 1, argv + argc});
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+  guidelight::say("guidelight: the output could not be written: direct it elsewhere\n");
+  return kFailed;
 }

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "app/commands.h"
+#include "app/scene_arguments.h"
 #include "renderer/error.h"
 #include "renderer/session/checkpoints.h"
 
@@ -48,15 +49,10 @@ void merge(const std::vector<std::string>& inputs, const std::string& output) {
 void add_merge_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "merge", "Join checkpoints of one render made with different seeds into one EXR");
-  const CLI::Validator is_exr(
-      [](std::string& path) {
-        return path.ends_with(".exr") ? "" : path + " does not end in .exr";
-      },
-      "FILE.exr");
   const auto inputs = std::make_shared<std::vector<std::string>>();
   const auto output = std::make_shared<std::string>();
   command->add_option("CHECKPOINTS", *inputs, "Files written by render --checkpoint")->required();
-  command->add_option("-o,--output", *output, "EXR to write")->required()->check(is_exr);
+  command->add_option("-o,--output", *output, "EXR to write")->required()->check(ends_in(".exr"));
   command->callback([inputs, output] { merge(*inputs, *output); });
 }
 

@@ -1,13 +1,17 @@
 #include "app/progress_bar.h"
 
-#include <fmt/core.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
+
+#include <algorithm>
+
+#include "app/message.h"
 
 namespace guidelight {
 
 namespace {
 
-constexpr int kBarWidth = 24;
+constexpr int kLongestBar = 24;
 constexpr double kLineInterval = 5;  // [s]
 
 std::string duration_text(double seconds) {
@@ -28,19 +32,36 @@ std::string status_text(const Snapshot& snapshot) {
   return text;
 }
 
+int terminal_columns() {
+  winsize size{};
+  const bool is_known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return is_known ? size.ws_col : 80;
+}
+
+/// One row of the terminal, which could not be redrawn if it were wrapped: the bar gives way first,
+/// then the end of the text.
+std::string row_text(const Snapshot& snapshot, size_t columns) {
+  std::string text = fmt::format("{:3.0f} %  {}", 100 * snapshot.progress, status_text(snapshot));
+  constexpr size_t kFrame = 3;  // "[] "
+  const size_t space = columns > text.size() + kFrame ? columns - text.size() - kFrame : 0;
+  if (const auto width = std::min<int>(static_cast<int>(space), kLongestBar); width > 0) {
+    const int filled = static_cast<int>(static_cast<float>(width) * snapshot.progress);
+    text =
+        fmt::format("[{}{}] {}", std::string(filled, '#'), std::string(width - filled, '.'), text);
+  }
+  return text.substr(0, columns);
+}
+
 }  // namespace
 
 ProgressBar::ProgressBar() : is_terminal_(isatty(STDERR_FILENO) != 0) {}
 
 void ProgressBar::show(const Snapshot& snapshot) {
   if (is_terminal_) {
-    const int filled = static_cast<int>(kBarWidth * snapshot.progress);
-    fmt::print(stderr, "\r\033[K[{}{}] {:3.0f} %  {}", std::string(filled, '#'),
-               std::string(kBarWidth - filled, '.'), 100 * snapshot.progress,
-               status_text(snapshot));
-    std::fflush(stderr);
+    // Some terminals wrap when the last column is written.
+    say("\r\033[K{}", row_text(snapshot, static_cast<size_t>(terminal_columns() - 1)));
   } else if (snapshot.seconds >= next_line_ && snapshot.passes > 0) {
-    fmt::print(stderr, "{:3.0f} %  {}\n", 100 * snapshot.progress, status_text(snapshot));
+    say("{:3.0f} %  {}\n", 100 * snapshot.progress, status_text(snapshot));
     next_line_ = snapshot.seconds + kLineInterval;
   }
 }
@@ -48,7 +69,7 @@ void ProgressBar::show(const Snapshot& snapshot) {
 void ProgressBar::finish(const Snapshot& snapshot) {
   next_line_ = 0;
   show(snapshot);
-  if (is_terminal_) fmt::print(stderr, "\n");
+  if (is_terminal_) say("\n");
 }
 
 }  // namespace guidelight

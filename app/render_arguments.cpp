@@ -4,9 +4,10 @@ namespace guidelight {
 
 void RenderArguments::add_to(CLI::App& command) {
   command.add_option("--integrator", integrator, "Algorithm to render with")->capture_default_str();
-  command.add_option("--set", settings, "Set a parameter of the integrator: key=value");
+  command.add_option("--set", settings, "Set a parameter of the integrator: key=value")
+      ->allow_extra_args(false);
   command.add_option("--threads", threads, "Render threads, 0 for all processors")
-      ->check(CLI::Range(0, 1024))
+      ->check(CLI::Range(0, kMostThreads))
       ->capture_default_str();
   command.add_option("--seed", seed, "Seed of the random numbers")
       ->check(CLI::NonNegativeNumber)

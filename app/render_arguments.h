@@ -9,6 +9,8 @@
 
 namespace guidelight {
 
+inline constexpr int kMostThreads = 1024;
+
 /// The arguments that say how to render, alike in `render` and `view`.
 struct RenderArguments {
   std::string integrator = "path";

@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include <chrono>
 #include <filesystem>
 #include <thread>
@@ -8,6 +6,7 @@
 #include "app/commands.h"
 #include "app/guide_arguments.h"
 #include "app/interrupt.h"
+#include "app/message.h"
 #include "app/progress_bar.h"
 #include "app/render_arguments.h"
 #include "renderer/error.h"
@@ -69,7 +68,7 @@ RenderJob RenderCommand::make_job() const {
   RenderJob job = render.make_job(Scene::build(scene.read()));
   const SceneDescription& description = job.scene->description();
   for (const std::string& warning : description.warnings) {
-    fmt::print(stderr, "guidelight: warning: {}\n", warning);
+    say("guidelight: warning: {}\n", warning);
   }
   job.guides = guides.read(*job.scene);
   job.priority = Priority::Normal;
@@ -95,6 +94,10 @@ void RenderCommand::run() const {
     check_writable(path);
   }
   if (!checkpoint.empty()) check_writable(checkpoint);
+  if (!techniques.empty()) {
+    check_argument("--techniques", [&] { check_techniques(techniques, render.integrator); });
+    check_writable(techniques);
+  }
   const RenderJob job = make_job();
   const InterruptGuard interrupt;
   ProgressBar progress;
@@ -118,8 +121,8 @@ void RenderCommand::run() const {
   const bool failed = snapshot->state == SessionState::Failed;
   if (failed && !snapshot->has_picture()) throw Error(snapshot->error);
   if (snapshot->rejected_samples > 0) {
-    fmt::print(stderr, "guidelight: warning: {} samples were not finite and count as black\n",
-               snapshot->rejected_samples);
+    say("guidelight: warning: {} samples were not finite and count as black\n",
+        snapshot->rejected_samples);
   }
   if (statistics && snapshot->chains) fmt::print("{}", chain_report(*snapshot->chains));
   for (const std::string& path : outputs) {

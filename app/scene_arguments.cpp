@@ -3,6 +3,8 @@
 #include <charconv>
 #include <map>
 
+#include "renderer/scene/camera.h"
+#include "renderer/scene/film_size.h"
 #include "renderer/session/open_scene.h"
 
 namespace guidelight {
@@ -20,12 +22,21 @@ std::shared_ptr<const SceneDescription> SceneArguments::read() const {
   for (const std::string& define : defines) variables.insert(split_assignment("-D", define));
   const auto description = open_scene(path, variables);
   if (!size.empty()) {
-    const std::vector<int> numbers = split_numbers("--size", size, 'x', 2);
-    description->film.width = numbers[0];
-    description->film.height = numbers[1];
-    description->film.crop_width = description->film.crop_height = 0;
+    const auto [width, height] = parse_size(size);
+    // The camera does not matter: a crop window shows the same part in another size.
+    description->film = Camera({}, description->film).with_resolution(width, height).film();
   }
   return description;
+}
+
+std::pair<int, int> parse_size(const std::string& text) {
+  const std::vector<int> size = split_numbers("--size", text, 'x', 2);
+  if (!is_film_size(size[0], size[1])) {
+    throw CLI::ValidationError(
+        "--size", fmt::format("{}: give 1 to {} pixels a side and at most {} in all", text,
+                              kMaxFilmSide, kMaxFilmPixels));
+  }
+  return {size[0], size[1]};
 }
 
 std::pair<std::string, std::string> split_assignment(const std::string& option,
@@ -35,6 +46,13 @@ std::pair<std::string, std::string> split_assignment(const std::string& option,
     throw CLI::ValidationError(option, fmt::format("'{}' is not of the form name=value", text));
   }
   return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+CLI::Validator ends_in(const std::string& ending) {
+  return {[ending](const std::string& path) {
+            return path.ends_with(ending) ? "" : path + " does not end in " + ending;
+          },
+          "FILE" + ending};
 }
 
 std::vector<int> split_numbers(const std::string& option, const std::string& text, char separator,

@@ -23,6 +23,9 @@ struct SceneArguments {
   std::shared_ptr<const SceneDescription> read() const;
 };
 
+/// Width and height of --size WxH. Throws CLI::ValidationError for a film that cannot be rendered.
+std::pair<int, int> parse_size(const std::string& text);
+
 /// Splits "name=value". Throws CLI::ValidationError (exit status 2) naming the option.
 std::pair<std::string, std::string> split_assignment(const std::string& option,
                                                      const std::string& text);
@@ -36,6 +39,9 @@ auto check_argument(const std::string& option, const Look& look) {
     throw CLI::ValidationError(option, error.what());
   }
 }
+
+/// Checks the ending of a file's name.
+CLI::Validator ends_in(const std::string& ending);
 
 /// Numbers of a list such as 640x480 or 0,0,64,64. Throws CLI::ValidationError unless there are
 /// `count` whole numbers.

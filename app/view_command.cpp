@@ -4,8 +4,7 @@
 #include <algorithm>
 
 #include "app/commands.h"
-#include "app/scene_arguments.h"
-#include "renderer/scene/film_size.h"
+#include "app/render_arguments.h"
 #include "ui/viewer.h"
 
 namespace guidelight {
@@ -45,15 +44,10 @@ int open_window(ViewArguments& arguments) {
     options.defines.insert(split_assignment("-D", define));
   }
   if (!arguments.scene.size.empty()) {
-    const std::vector<int> size = split_numbers("--size", arguments.scene.size, 'x', 2);
-    if (!is_film_size(size[0], size[1])) {
-      throw CLI::ValidationError(
-          "--size", fmt::format("a picture of {} pixels cannot be rendered; use 1 to {} a side and "
-                                "at most {}",
-                                arguments.scene.size, kMaxFilmSide, kMaxFilmPixels));
-    }
-    options.width = size[0];
-    options.height = size[1];
+    std::tie(options.width, options.height) = parse_size(arguments.scene.size);
+  }
+  if (!options.integrator.empty()) {
+    check_argument("--integrator", [&] { find_integrator(options.integrator); });
   }
   std::vector<double> frames;
   if (arguments.frame_times) options.on_frame = [&](double seconds) { frames.push_back(seconds); };
@@ -70,8 +64,9 @@ void add_view_command(CLI::App& app) {
   arguments->scene.add_to(*command, false);
   command->add_option("--integrator", arguments->options.integrator, "Algorithm to begin with");
   command->add_option("--threads", arguments->options.threads, "Render threads; 0 takes all")
+      ->check(CLI::Range(0, kMostThreads));
+  command->add_option("--seed", arguments->options.seed, "Seed of the random numbers")
       ->check(CLI::NonNegativeNumber);
-  command->add_option("--seed", arguments->options.seed, "Seed of the random numbers");
   command
       ->add_option("--ui-scale", arguments->options.ui_scale, "Size of the interface, 1 is normal")
       ->check(CLI::Range(0.5f, 4.0f));

@@ -5,6 +5,7 @@
 
 #include "renderer/error.h"
 #include "renderer/image/technique_images.h"
+#include "renderer/integrators/bidirectional/bidirectional.h"
 #include "renderer/io/guide_file.h"
 
 namespace guidelight {
@@ -83,6 +84,17 @@ void export_exr(const std::string& path, const RenderJob& job, const Snapshot& s
   write_exr(path, picture, half_precision);
 }
 
+void check_techniques(const std::string& path, const std::string& integrator) {
+  if (extension(path) != ".exr") {
+    throw Error("{}: techniques are layers of an .exr: choose this ending", path);
+  }
+  if (std::ranges::none_of(bidirectional_infos(),
+                           [&](const IntegratorInfo& info) { return info.name == integrator; })) {
+    throw Error("{}: the integrator '{}' does not combine techniques: choose bdpt or vcm", path,
+                integrator);
+  }
+}
+
 void export_techniques(const std::string& path, const RenderJob& job, const Snapshot& snapshot) {
   ImageLayers picture;
   if (job.techniques) {
@@ -91,10 +103,7 @@ void export_techniques(const std::string& path, const RenderJob& job, const Snap
       picture.layers.emplace_back(technique.name() + ".raw", images.raw);
     }
   }
-  if (picture.layers.empty()) {
-    throw Error("{}: the integrator '{}' does not combine techniques: choose bdpt or vcm", path,
-                job.integrator);
-  }
+  if (picture.layers.empty()) throw Error("{}: there are no techniques yet: render longer", path);
   picture.metadata = describe_render(job, snapshot);
   write_exr(path, picture);
 }

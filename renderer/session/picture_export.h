@@ -21,6 +21,9 @@ void export_exr(const std::string& path, const RenderJob& job, const Snapshot& s
 void export_png(const std::string& path, const RenderJob& job, const Snapshot& snapshot,
                 const DisplaySettings& display, Layer layer = Layer::Beauty);
 
+/// Throws Error unless techniques of this integrator can be written to `path`.
+void check_techniques(const std::string& path, const std::string& integrator);
+
 /// Writes the job's techniques as layers, weighted and raw: "connection_s2_t3.weighted" … Throws
 /// Error, also if the method has no techniques to keep apart.
 void export_techniques(const std::string& path, const RenderJob& job, const Snapshot& snapshot);

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <pty.h>
 #include <sys/wait.h>
 
 #include <cstdio>
@@ -77,6 +78,15 @@ TEST_F(CommandLine, renders_exr_and_png_with_metadata) {
   EXPECT_EQ(read_image(path("a.png")).width(), 32);
 }
 
+TEST_F(CommandLine, settings_may_stand_before_the_scene) {
+  const Outcome outcome = run("render --set max_depth=4 --set rr_depth=3 '" + scene() +
+                              "' --size 8x8 --spp 1 -o a.exr");
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  const Metadata data = read_metadata(path("a.exr"));
+  EXPECT_EQ(data.at("set.max_depth"), "4");
+  EXPECT_EQ(data.at("set.rr_depth"), "3");
+}
+
 TEST_F(CommandLine, the_same_seed_gives_the_same_picture_on_any_number_of_threads) {
   ASSERT_EQ(render("-o one.exr --float --spp 4 --threads 1").status, 0);
   ASSERT_EQ(render("-o two.exr --float --spp 4 --threads 2").status, 0);
@@ -114,6 +124,33 @@ TEST_F(CommandLine, a_scene_with_a_crop_window_is_rendered_in_that_size) {
   EXPECT_GT(picture.color(0, 0).y, 0);
 }
 
+TEST_F(CommandLine, another_size_keeps_the_place_of_the_crop_window) {
+  // The right half of the film sees a lamp, the left half nothing.
+  std::ofstream(path("half.xml")) << R"(<scene version="3.0.0">
+      <sensor type="perspective">
+        <film type="hdrfilm">
+          <integer name="width" value="40"/> <integer name="height" value="20"/>
+          <integer name="crop_offset_x" value="$x"/>
+          <integer name="crop_width" value="20"/> <integer name="crop_height" value="20"/>
+        </film>
+      </sensor>
+      <shape type="rectangle"> <emitter type="area"/>
+        <transform name="to_world">
+          <scale value="9"/> <rotate y="1" angle="180"/> <translate x="-9.001" z="3"/>
+        </transform>
+      </shape>
+    </scene>)";
+  for (const auto& [x, seen] : {std::pair("0", false), std::pair("20", true)}) {
+    const Outcome outcome =
+        run(std::string("render half.xml -o half.exr --size 8x8 --spp 1 -D x=") + x);
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    const Image picture = read_image(path("half.exr"));
+    ASSERT_EQ(picture.width(), 8);
+    EXPECT_EQ(picture.color(2, 4).y > 0, seen) << x;
+    EXPECT_EQ(picture.color(6, 4).y > 0, seen) << x;
+  }
+}
+
 TEST_F(CommandLine, stops_by_time_and_by_error) {
   const Outcome timed = render("-o t.exr --time 0.3");
   EXPECT_EQ(timed.status, 0) << timed.text;
@@ -129,10 +166,20 @@ TEST_F(CommandLine, an_interrupt_writes_what_is_there) {
   EXPECT_LT(std::stod(read_metadata(path("part.exr")).at("seconds")), 30);
 }
 
+TEST_F(CommandLine, a_second_interrupt_ends_it) {
+  // The picture goes into a pipe that nobody reads; one that is not ended is killed, as 137.
+  const Outcome outcome =
+      run("--version", "mkfifo pipe.png; '" GUIDELIGHT_PROGRAM "' render '" + scene() +
+                           "' --size 32x24 -o pipe.png --time 60 & p=$!;"
+                           "sleep 1; kill -TERM $p; sleep 1; kill -TERM $p;"
+                           "(sleep 3; kill -KILL $p) >/dev/null 2>&1 & wait $p; echo =$?;");
+  EXPECT_THAT(outcome.text, HasSubstr("=143")) << "128 + SIGTERM";
+}
+
 TEST_F(CommandLine, a_checkpoint_that_cannot_be_saved_loses_no_picture) {
   fs::create_directory(folder_ / "gone");
   const Outcome outcome =
-      render("-o kept.exr --time 2 --checkpoint gone/state", "(sleep 1; rmdir gone) &");
+      render("-o kept.exr --time 2 --checkpoint gone/state", "{ (sleep 1; rmdir gone) & };");
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.text, HasSubstr("gone/state"));
   ASSERT_TRUE(fs::exists(path("kept.exr"))) << outcome.text;
@@ -189,6 +236,53 @@ TEST_F(CommandLine, compares_pictures) {
   EXPECT_EQ(read_image(path("map.png")).width(), 32);
 }
 
+TEST_F(CommandLine, output_that_cannot_be_written) {
+  // Messages may be lost, pictures not, and a list that is asked for only with an error.
+  EXPECT_EQ(run("render '" + scene() + "' --size 8x8 --spp 2 -o a.exr 2>&-").status, 0);
+  EXPECT_EQ(run("render '" + scene() + "' --size 8x8 --spp 2 -o a.exr 2>/dev/full").status, 0);
+  EXPECT_EQ(run("info missing.xml 2>/dev/full").status, 1);
+  EXPECT_EQ(run("compare a.exr a.exr --json >/dev/full").status, 1);
+  EXPECT_EQ(run("compare a.exr a.exr --json >&- #").status, 1);
+  EXPECT_EQ(read_image(path("a.exr")).width(), 8);
+}
+
+/// What the program writes to a terminal of this many columns.
+std::string on_terminal(unsigned short columns, const std::string& arguments) {
+  const winsize size{24, columns, 0, 0};
+  int terminal = -1;
+  const pid_t child = ::forkpty(&terminal, nullptr, nullptr, &size);
+  if (child == 0) {
+    ::execl("/bin/sh", "sh", "-c", ("'" GUIDELIGHT_PROGRAM "' " + arguments).c_str(), nullptr);
+    ::_exit(127);
+  }
+  std::string text;
+  for (char buffer[4096];;) {
+    const ssize_t count = ::read(terminal, buffer, sizeof buffer);
+    if (count <= 0) break;  // the terminal ends with the program
+    text.append(buffer, static_cast<size_t>(count));
+  }
+  ::close(terminal);
+  ::waitpid(child, nullptr, 0);
+  return text;
+}
+
+TEST_F(CommandLine, the_progress_bar_keeps_to_one_row) {
+  for (const unsigned short columns : {40, 80, 120}) {
+    const std::string text = on_terminal(
+        columns, "render '" + scene() + "' --size 64x48 --time 0.7 -o '" + path("a.exr") + "'");
+    size_t longest = 0;
+    const std::string clear = "\r\033[K";
+    for (size_t at = text.find(clear); at != std::string::npos;) {
+      at += clear.size();
+      longest = std::max(longest, std::min(text.find_first_of("\r\n", at), text.size()) - at);
+      at = text.find(clear, at);
+    }
+    EXPECT_GT(longest, 30u) << text;
+    EXPECT_LT(longest, columns) << text;
+    EXPECT_EQ(text.find('#') != std::string::npos, columns > 40) << text;
+  }
+}
+
 TEST_F(CommandLine, lists_what_a_scene_holds) {
   const Outcome outcome = run("info '" + scene() + "'");
   EXPECT_EQ(outcome.status, 0);
@@ -203,7 +297,9 @@ TEST_F(CommandLine, says_why_it_failed_in_one_line_with_status_1) {
        {std::string("info missing.xml"), std::string("info broken.xml"),
         std::string("render broken.xml -o kept.exr"), std::string("compare kept.exr kept.exr"),
         "render '" + scene() + "' -o no/such/folder/a.exr --time 1000",
-        "render '" + scene() + "' -o a.exr --checkpoint no/such/folder/a --time 1000"}) {
+        "render '" + scene() + "' -o a.exr --checkpoint no/such/folder/a --time 1000",
+        "render '" + scene() +
+            "' -o a.exr --integrator bdpt --techniques no/such/a.exr --time 1000"}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.status, 1) << arguments << "\n" << outcome.text;
     EXPECT_THAT(outcome.text, HasSubstr("guidelight: ")) << arguments;
@@ -239,6 +335,13 @@ TEST_F(CommandLine, bad_arguments_have_status_2) {
   EXPECT_EQ(run("view --size 0x0").status, 2);
   EXPECT_EQ(run("view --size 70000x1").status, 2);
   EXPECT_EQ(run("compare a.exr").status, 2);
+  EXPECT_EQ(run("compare a.exr a.exr --error-map map.jpg").status, 2);
+  EXPECT_EQ(render("-o a.exr --size 0x9").status, 2);
+  EXPECT_EQ(render("-o a.exr --size 70000x9").status, 2);
+  EXPECT_EQ(render("-o a.exr --integrator bdpt --techniques t.png --time 99").status, 2);
+  EXPECT_EQ(render("-o a.exr --integrator path --techniques t.exr --time 99").status, 2);
+  EXPECT_EQ(run("view '" + scene() + "' --integrator magic").status, 2);
+  EXPECT_EQ(run("view '" + scene() + "' --threads 5000").status, 2);
   EXPECT_EQ(run("--help").status, 0);
 }
 
