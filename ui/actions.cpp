@@ -165,6 +165,15 @@ void show_photons(const Workbench& bench) {
   if (photons.shown) bench.tabs.show(Tabs::Photons);
 }
 
+void show_techniques(const Workbench& bench) {
+  TechniqueView& view = bench.document.technique_view();
+  view.shown = !view.shown;
+  view.enlarged.reset();
+  if (!view.shown) return;
+  bench.tabs.show(Tabs::Image);
+  if (!bench.views.shows_render()) bench.views.show(ShownViews::Render);
+}
+
 bool perform_on_views(Action action, const Workbench& bench) {
   switch (action) {
     case Action::CycleViews:
@@ -172,6 +181,12 @@ bool perform_on_views(Action action, const Workbench& bench) {
       return true;
     case Action::ShowPhotons:
       show_photons(bench);
+      return true;
+    case Action::ShowTechniques:
+      show_techniques(bench);
+      return true;
+    case Action::RecordTechniques:
+      bench.document.record_techniques(!bench.document.records_techniques());
       return true;
     case Action::ViewFromRender:
       bench.scout_view.stand_at_render_camera(bench.document);

@@ -15,6 +15,9 @@ namespace {
 
 constexpr int kCandidates = 100;  // drawn of the selected guide
 
+constexpr int kLongestTechnique = 6;           // segments
+constexpr int kMostTechniquePixels = 320'000;  // of each of up to 42 pictures, 24 bytes per pixel
+
 /// A camera that keeps moving lets each position show its first picture, unless that takes longer.
 constexpr std::chrono::milliseconds kLongestWaitForPicture{250};
 
@@ -109,6 +112,25 @@ void Document::open(OpenedScene opened) {
                                   title(), warnings, warnings == 1 ? "" : "s"));
   }
   if (!opened_.guide_problem.empty()) messages_.error(opened_.guide_problem);
+}
+
+void Document::reload(OpenedScene opened) {
+  const auto before = opened_.scene;
+  const CameraController camera = camera_;
+  RenderSettings settings = settings_;
+  open(std::move(opened));
+  const bool same_camera =
+      before->camera().description().to_world == scene().camera().description().to_world;
+  const bool same_size = before->camera().width() == scene().camera().width() &&
+                         before->camera().height() == scene().camera().height();
+  if (same_camera) camera_ = camera;
+  if (!same_size) {
+    settings.width = settings_.width;
+    settings.height = settings_.height;
+    settings.region.reset();
+  }
+  settings_ = settings;
+  edits_.reset({guides_as_opened_, settings_});
 }
 
 RenderSettings Document::settings_for(const Scene& scene) const {
@@ -257,6 +279,7 @@ void Document::start(Clock::time_point now) {
   watched_.clear();
   watch_pixels();
   job.history = history_;
+  job.techniques = techniques_ = make_technique_images();
   job.coarse_first = true;
   if (resume_) {
     const auto [checkpoint, path] = *std::exchange(resume_, std::nullopt);
@@ -270,6 +293,7 @@ void Document::start(Clock::time_point now) {
   }
   const uint64_t number = session_.start(job);
   job.resume_from.reset();  // the film of a checkpoint is large, and of no more use here
+  job.techniques.reset();   // pictures carry none
   job.guides = guides();    // what travels with pictures; solo is a way of looking
   jobs_.push_back({number, std::make_shared<RenderJob>(std::move(job))});
   job_started_ = now;
@@ -345,6 +369,30 @@ void Document::set_photon_view(const PhotonView& view) {
   photon_view_ = view;
   session_.request_photons(view.shown ? static_cast<size_t>(view.cap) : 0);
 }
+
+// -- Techniques.
+
+void Document::record_techniques(bool record) {
+  records_techniques_ = record;
+  techniques_ = make_technique_images();
+  session_.set_techniques(techniques_);
+}
+
+/// Of large pictures squares of pixels are kept as one.
+std::shared_ptr<TechniqueImages> Document::make_technique_images() const {
+  if (!records_techniques_ || !has_scene()) return nullptr;
+  if (!find_integrator(settings_.integrator).combines_techniques) return nullptr;
+  const double pixels = static_cast<double>(settings_.width) * settings_.height;
+  const int block = static_cast<int>(std::ceil(std::sqrt(pixels / kMostTechniquePixels)));
+  return std::make_shared<TechniqueImages>(settings_.width, settings_.height, kLongestTechnique,
+                                           block);
+}
+
+void Document::between_passes(std::function<void()> act) {
+  session_.save([act = std::move(act)](const RenderProgress&) { act(); });
+}
+
+// -- What is recorded of single pixels.
 
 void Document::watch_pixels() {
   std::vector<PixelHistory::Pixel> watched;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "renderer/image/technique_images.h"
 #include "renderer/image/tonemap.h"
 #include "renderer/integrators/pixel_history.h"
 #include "renderer/metropolis/harvest.h"
@@ -59,6 +60,9 @@ struct ViewSettings {
   /// Of the layer shown. Layers that hold radiance share theirs, the others have their own.
   DisplaySettings& current() { return display_[slot()]; }
   const DisplaySettings& current() const { return display_[slot()]; }
+  const DisplaySettings& of_radiance() const {
+    return display_[static_cast<size_t>(Layer::Beauty)];
+  }
 
  private:
   size_t slot() const;
@@ -87,6 +91,13 @@ struct PhotonView {
   int cap = 50'000;      // of those drawn
 
   bool operator==(const PhotonView&) const = default;
+};
+
+/// How the techniques of a bidirectional method are looked at.
+struct TechniqueView {
+  bool shown = false;  // instead of the picture
+  bool weighted = true;
+  std::optional<TechniqueImages::Technique> enlarged;  // else all of them
 };
 
 /// How guides are looked at and placed; not part of what is saved.
@@ -121,6 +132,9 @@ class Document {
   void override_settings(const RenderSettings& settings) { overrides_ = settings; }
   /// Shows another scene from its own camera with its own settings, and renders it.
   void open(OpenedScene opened);
+  /// Shows a new version of the scene. The camera and what the person has set stay, unless the file
+  /// now says something else.
+  void reload(OpenedScene opened);
   /// Grows with every scene opened.
   uint64_t openings() const { return openings_; }
   bool has_scene() const { return opened_.scene != nullptr; }
@@ -191,6 +205,18 @@ class Document {
   /// Photons cost nothing while they are not shown.
   void set_photon_view(const PhotonView& view);
 
+  // -- Techniques.
+  TechniqueView& technique_view() { return technique_view_; }
+  const TechniqueView& technique_view() const { return technique_view_; }
+  /// From the next pass on techniques are kept apart, or no more; also those of later renders.
+  void record_techniques(bool record);
+  bool records_techniques() const { return records_techniques_; }
+  /// Of the render started last; null if they are not recorded, or if it has none.
+  const std::shared_ptr<TechniqueImages>& techniques() const { return techniques_; }
+  /// Has something done on the render thread when the pass is done; it is forgotten if the render
+  /// fails or is replaced.
+  void between_passes(std::function<void()> act);
+
   /// How the density estimates of the inspected or the hovered pixel have developed; empty for
   /// others, and for methods without.
   std::vector<PixelHistory::Entry> pixel_history(glm::ivec2 pixel) const;
@@ -227,6 +253,7 @@ class Document {
   void follow_guides();
   void update_candidates();
   void watch_pixels();
+  std::shared_ptr<TechniqueImages> make_technique_images() const;
   GuideList followed_guides() const;
 
   struct Edits {
@@ -243,6 +270,9 @@ class Document {
   GuideView guide_view_;
   Harvest harvest_;
   PhotonView photon_view_;
+  TechniqueView technique_view_;
+  bool records_techniques_ = false;
+  std::shared_ptr<TechniqueImages> techniques_;
   std::shared_ptr<PixelHistory> history_ = std::make_shared<PixelHistory>();  // of this job
   std::vector<PixelHistory::Pixel> watched_;                                  // in history_
   struct {

@@ -44,6 +44,8 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>({
     {Action::CycleViews, GLFW_KEY_TAB, 0, "View", "Render, scout or both views"},
     {Action::ShowPhotons, GLFW_KEY_P, 0, "View", "Show or hide the photons"},
     {Action::ViewFromRender, GLFW_KEY_V, 0, "View", "Scout from the render camera"},
+    {Action::ShowTechniques, GLFW_KEY_T, 0, "View", "Show what each technique brings"},
+    {Action::RecordTechniques, GLFW_KEY_T, kShift, "View", "Record the techniques apart"},
 
     {Action::FrameSelection, GLFW_KEY_F, 0, "Camera", "Frame the selection, or the scene"},
     {Action::ResetCamera, GLFW_KEY_HOME, 0, "Camera", "Reset the camera"},

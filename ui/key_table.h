@@ -32,6 +32,8 @@ enum class Action {
   ShowPhotons,
   CycleViews,
   ViewFromRender,
+  ShowTechniques,
+  RecordTechniques,
   PauseResume,
   Restart,
   RegionTool,

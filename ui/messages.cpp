@@ -7,16 +7,17 @@ namespace {
 
 constexpr size_t kMostShown = 4;
 
-std::chrono::seconds lifetime(Messages::Kind kind) {
-  return std::chrono::seconds(kind == Messages::Kind::Note ? 6 : 20);
+std::chrono::seconds lifetime(const Messages::Message& message) {
+  const bool is_brief = message.kind == Messages::Kind::Note && message.offer.label.empty();
+  return std::chrono::seconds(is_brief ? 6 : 20);
 }
 
 }  // namespace
 
-void Messages::add(Kind kind, std::string text) {
+void Messages::add(Kind kind, std::string text, Offer offer) {
   // The same sentence again is shown anew, not twice.
   std::erase_if(messages_, [&](const Message& message) { return message.text == text; });
-  messages_.push_back({kind, std::move(text), Clock::now(), next_id_++});
+  messages_.push_back({kind, std::move(text), std::move(offer), Clock::now(), next_id_++});
   if (messages_.size() > kMostShown) messages_.pop_front();
 }
 
@@ -25,9 +26,8 @@ void Messages::dismiss(uint64_t id) {
 }
 
 void Messages::expire(Clock::time_point now) {
-  std::erase_if(messages_, [now](const Message& message) {
-    return now - message.posted > lifetime(message.kind);
-  });
+  std::erase_if(messages_,
+                [now](const Message& message) { return now - message.posted > lifetime(message); });
 }
 
 }  // namespace guidelight

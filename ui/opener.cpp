@@ -11,11 +11,10 @@
 
 namespace guidelight {
 
-Opener::Opener(Document& document, std::shared_ptr<UiQueue> queue,
-               std::function<void()> scene_opened)
+Opener::Opener(Document& document, std::shared_ptr<UiQueue> queue, Listener listener)
     : document_(document),
       queue_(std::move(queue)),
-      scene_opened_(std::move(scene_opened)),
+      listener_(std::move(listener)),
       loader_(
           queue_, [this](OpenedScene opened) { take_scene(std::move(opened)); },
           [this](const std::string& reason) {
@@ -39,26 +38,22 @@ uint64_t Opener::begin_request() {
   loader_.forget();
   session_.reset();
   reading_.clear();
+  reloading_ = false;
   return ++newest_request_;
 }
 
 void Opener::reload() {
-  if (document_.has_scene()) open(document_.opened().path, document_.opened().defines);
+  if (!document_.has_scene()) return;
+  begin_request();
+  reloading_ = true;
+  loader_.load(document_.opened().path, document_.opened().defines);
 }
 
-void Opener::open_picture(const std::string& path) {
-  try {
-    begin_request();
-    open_session(path, read_metadata(path), {});
-  } catch (const std::exception& error) {
-    document_.messages().error(error.what());
-  }
-}
-
-void Opener::resume(const std::string& path) {
+template <typename Read, typename Take>
+void Opener::read(const std::string& path, Read read_file, Take take) {
   const uint64_t request = begin_request();
   reading_ = path;
-  reader_.run([this, path, request] {
+  reader_.run([this, path, request, read_file, take] {
     // `this` is only used on the UI thread, which drops what is posted once the opener is gone.
     const auto finish = [&](std::function<void()> deliver) {
       queue_->post([this, request, deliver = std::move(deliver)] {
@@ -68,12 +63,31 @@ void Opener::resume(const std::string& path) {
       });
     };
     try {
-      finish([this, path, checkpoint = read_checkpoint(path)] {
-        open_session(path, describe_checkpoint(checkpoint), checkpoint);
-      });
+      finish([take, content = read_file(path)] { take(content); });
     } catch (const std::exception& error) {
       finish([this, text = std::string(error.what())] { document_.messages().error(text); });
     }
+  });
+}
+
+void Opener::open_picture(const std::string& path) {
+  read(path, read_metadata, [this, path](const Metadata& metadata) {
+    if (!session_of(metadata) && document_.has_scene()) {
+      take_as_reference(path);
+      return;
+    }
+    open_session(path, metadata, {});
+  });
+}
+
+void Opener::take_as_reference(const std::string& path) {
+  listener_.take_reference(path);
+  document_.messages().note(path + " is what the render is compared with now.");
+}
+
+void Opener::resume(const std::string& path) {
+  read(path, read_checkpoint, [this, path](const Checkpoint& checkpoint) {
+    open_session(path, describe_checkpoint(checkpoint), checkpoint);
   });
 }
 
@@ -101,8 +115,13 @@ void Opener::take_scene(OpenedScene opened) {
   auto session = std::exchange(session_, {});
   try {
     if (session) check(*session, *opened.scene);
-    document_.open(std::move(opened));
-    scene_opened_();
+    if (std::exchange(reloading_, false)) {
+      document_.reload(std::move(opened));
+      listener_.scene_reloaded();
+    } else {
+      document_.open(std::move(opened));
+      listener_.scene_opened();
+    }
     if (session) restore(*std::move(session));
   } catch (const std::exception& error) {
     document_.messages().error(error.what());
@@ -122,7 +141,13 @@ void Opener::restore(Session session) {
     const GuideList before = document_.guides();
     restore_session(session.settings, document_);
     if (document_.guides() != before && !before->empty()) set_aside(before);
-    if (session.checkpoint) document_.resume(*std::move(session.checkpoint), session.path);
+    if (session.checkpoint) {
+      document_.resume(*std::move(session.checkpoint), session.path);
+    } else {
+      document_.messages().note(
+          session.path + " has brought its camera, settings and guides.",
+          {"Use as reference", [this, path = session.path] { take_as_reference(path); }});
+    }
   } catch (const std::exception& error) {
     document_.messages().error(error.what());
   }

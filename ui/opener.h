@@ -21,14 +21,19 @@ namespace guidelight {
 /// that a session replaces are kept in a file beside the scene.
 class Opener {
  public:
-  /// `scene_opened` is called on the UI thread when the document has another scene.
-  Opener(Document& document, std::shared_ptr<UiQueue> queue, std::function<void()> scene_opened);
+  struct Listener {                        // called on the UI thread
+    std::function<void()> scene_opened;    // the document has another scene
+    std::function<void()> scene_reloaded;  // or the same, read again
+    std::function<void(const std::string& path)> take_reference;
+  };
+  Opener(Document& document, std::shared_ptr<UiQueue> queue, Listener listener);
 
-  /// By the content of the file. `defines` override <default> variables of an XML scene.
+  /// By the content of the file; a picture without a session is taken as the reference. `defines`
+  /// override <default> variables of an XML scene.
   void open(const std::string& path, const std::map<std::string, std::string>& defines = {});
   /// Goes on with a checkpoint.
   void resume(const std::string& path);
-  /// Reads the open scene again.
+  /// Reads the open scene again; the camera and what the person has set stay as they are.
   void reload();
 
   /// What is being read; empty if nothing is.
@@ -44,7 +49,12 @@ class Opener {
   };
 
   uint64_t begin_request();
+  /// Reads something in the background and takes it on the UI thread, unless something else has
+  /// been asked for by then.
+  template <typename Read, typename Take>
+  void read(const std::string& path, Read read_file, Take take);
   void open_picture(const std::string& path);
+  void take_as_reference(const std::string& path);
   void open_session(const std::string& path, const Metadata& metadata,
                     std::optional<Checkpoint> checkpoint);
   void take_scene(OpenedScene opened);
@@ -54,11 +64,12 @@ class Opener {
 
   Document& document_;
   std::shared_ptr<UiQueue> queue_;
-  std::function<void()> scene_opened_;
+  Listener listener_;
   SceneLoader loader_;
   std::optional<Session> session_;  // to restore once its scene is there
   uint64_t newest_request_ = 0;
-  std::string reading_;      // checkpoint
+  bool reloading_ = false;   // the open scene
+  std::string reading_;      // checkpoint or picture
   BackgroundThread reader_;  // writes, too; last: it finishes before the rest goes
 };
 

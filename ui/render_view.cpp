@@ -39,12 +39,34 @@ void RenderView::draw(Document& document, Toolbox& toolbox) {
                              ImGuiButtonFlags_MouseButtonMiddle);
   ImGui::SetItemAllowOverlap();  // by the line of the wipe
   const bool hovered = ImGui::IsItemHovered();
-  find_hovered_pixel(document, hovered);
   list.PushClipRect(to_imgui(corner), to_imgui(corner + room), true);
+  if (document.technique_view().shown) {
+    draw_techniques(document, list, corner, room, hovered);
+    list.PopClipRect();
+    return;
+  }
+  find_hovered_pixel(document, hovered);
   draw_picture(list);
   draw_other(list, hovered);
   draw_scene_overlays(document, toolbox, list, corner, room, hovered);
   list.PopClipRect();
+}
+
+/// The wheel and the middle button move the large picture of one.
+void RenderView::draw_techniques(Document& document, ImDrawList& list, Vec2 corner, Vec2 room,
+                                 bool hovered) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (document.technique_view().enlarged && hovered) {
+    if (io.MouseWheel != 0) {
+      transform_.zoom_about(from_imgui(io.MousePos), std::pow(kZoomPerStep, io.MouseWheel));
+    }
+    if (ImGui::IsMouseDown(ImGuiMouseButton_Middle)) transform_.move(from_imgui(io.MouseDelta));
+  }
+  TechniqueBrowser::Room place{corner, room, from_imgui(io.MousePos), hovered, {}};
+  if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+    place.click = window_.press_position(ImGuiMouseButton_Left);
+  }
+  techniques_.draw(document, transform_, list, place);
 }
 
 void RenderView::draw_picture(ImDrawList& list) {

@@ -9,6 +9,7 @@
 #include "ui/gl/raster_target.h"
 #include "ui/picture_developer.h"
 #include "ui/picture_texture.h"
+#include "ui/techniques/technique_browser.h"
 #include "ui/view_mouse.h"
 #include "ui/view_transform.h"
 #include "ui/window.h"
@@ -18,8 +19,13 @@ namespace guidelight {
 /// The picture and what is drawn over it.
 class RenderView {
  public:
-  RenderView(const Window& window, const DisplayScene& display, Comparison& comparison)
-      : window_(window), display_(display), comparison_(comparison), mouse_(window) {}
+  RenderView(const Window& window, const DisplayScene& display, Comparison& comparison,
+             const TechniqueGallery& techniques)
+      : window_(window),
+        display_(display),
+        comparison_(comparison),
+        techniques_(techniques),
+        mouse_(window) {}
 
   void show(std::shared_ptr<const Picture> picture);
   /// What is on the screen; null before the first.
@@ -34,6 +40,7 @@ class RenderView {
   bool animating() const { return mouse_.flying(); }
 
  private:
+  void draw_techniques(Document& document, ImDrawList& list, Vec2 corner, Vec2 room, bool hovered);
   void draw_picture(ImDrawList& list);
   /// The picture that is compared with, over a part of the picture or all of it.
   void draw_other(ImDrawList& list, bool hovered);
@@ -47,6 +54,7 @@ class RenderView {
   const Window& window_;
   const DisplayScene& display_;
   Comparison& comparison_;
+  TechniqueBrowser techniques_;
   std::shared_ptr<const Picture> picture_;
   PictureTexture texture_;
   ViewTransform transform_;

@@ -9,7 +9,6 @@ namespace {
 
 constexpr float kOrbitPerHeight = kPi;  // [rad] for a drag over the height of the view
 constexpr float kLookPerHeight = 1.2f;  // [rad]
-constexpr float kZoomPerStep = 1.25f;
 constexpr float kSpeedPerStep = 1.3f;
 constexpr float kSlowest = 1e-4f;  // flight [radii of the scene per second]
 constexpr float kFastest = 1e2f;

@@ -9,6 +9,8 @@
 
 namespace guidelight {
 
+inline constexpr float kZoomPerStep = 1.25f;  // of the wheel
+
 /// What the mouse moves in a view.
 struct NavigationTarget {
   std::function<void(const std::function<void(CameraController&)>&)> move;

@@ -59,7 +59,10 @@ class Viewer {
     attempt([&] { guidelight::perform(action, bench_); });
   }
   void attempt(const std::function<void()>& act);
+  void leave_techniques();
   void show_new_scene();
+  void show_reloaded_scene();
+  void take_reference(const std::string& path);
 
   std::shared_ptr<UiQueue> queue_ = std::make_shared<UiQueue>(&Window::wake);
   Window window_;
@@ -68,7 +71,8 @@ class Viewer {
   Toolbox toolbox_;
   DisplayScene display_{*queue_, document_.messages()};
   Comparison comparison_{document_, *queue_};
-  RenderView view_{window_, display_, comparison_};
+  TechniqueGallery techniques_{document_, queue_};
+  RenderView view_{window_, display_, comparison_, techniques_};
   ScoutView scout_{window_, display_};
   Exporter exporter_;
   CheckpointSaver checkpoints_;
@@ -94,13 +98,17 @@ Viewer::Viewer(const ViewerOptions& options)
     : window_("Guidelight", options.ui_scale),
       developer_(
           *queue_,
-          [this](std::shared_ptr<const Picture> picture) { view_.show(std::move(picture)); },
+          [this](std::shared_ptr<const Picture> picture) {
+            if (document_.picture()) view_.show(std::move(picture));  // else of the last scene
+          },
           [this](const std::string& reason) {
             document_.messages().error("The picture cannot be shown: " + reason);
           }),
       exporter_(document_, *queue_, current_folder()),
       checkpoints_(document_, queue_, current_folder()),
-      opener_(document_, queue_, [this] { show_new_scene(); }),
+      opener_(document_, queue_,
+              {[this] { show_new_scene(); }, [this] { show_reloaded_scene(); },
+               [this](const std::string& path) { take_reference(path); }}),
       on_frame_(options.on_frame) {
   RenderSettings overrides;
   overrides.integrator = options.integrator;
@@ -131,6 +139,7 @@ void Viewer::run() {
     harvester_.update(state_.panels_shown && tabs_.shown() == Tabs::Guides);
     display_.update(document_, frame_began);
     comparison_.update(frame_began);
+    techniques_.update(frame_began);
     if (document_.picture()) {
       developer_.request(document_.picture(), document_.shared_picture_job(),
                          document_.view().layer, document_.view().current());
@@ -161,8 +170,10 @@ void Viewer::wait_for_next_frame(Clock::time_point last_frame) {
 }
 
 double Viewer::seconds_to_sleep() const {
-  if (document_.restart_pending() || guide_saver_.pending() || display_.pending())
+  if (document_.restart_pending() || guide_saver_.pending() || display_.pending() ||
+      techniques_.pending()) {
     return kBriefSleep;
+  }
   const bool calm = document_.messages().shown().empty() && !ImGui::GetIO().WantTextInput;
   return calm ? kLongSleep : kShortSleep;
 }
@@ -247,6 +258,7 @@ void Viewer::draw_panels() {
     if (tabs_.tab(Tabs::Image)) {
       draw_image_panel(document_, act);
       draw_histogram_panel(document_, view_.picture().get());
+      draw_techniques_panel(document_, act);
       if (state_.inspector_shown) draw_inspector_panel(document_);
       ImGui::EndTabItem();
     }
@@ -279,6 +291,10 @@ void Viewer::handle_key(int key, int modifiers, bool is_repeat) {
   frames_due_ = kFramesAfterEvent;
   if (animating() || file_dialog_.is_open()) return;
   const auto command = tool_command_for(key, modifiers);
+  if (command == ToolCommand::Cancel && document_.technique_view().shown) {
+    leave_techniques();
+    return;
+  }
   if (command && document_.has_scene() && toolbox_.tool().take(document_, *command)) {
     toolbox_.tidy();
     return;
@@ -287,6 +303,25 @@ void Viewer::handle_key(int key, int modifiers, bool is_repeat) {
   // A drag goes on in the view where it began.
   if (action == Action::CycleViews && ImGui::IsAnyMouseDown()) return;
   if (action && (!is_repeat || repeats(*action))) perform(*action);
+}
+
+/// Cameras and what the render is compared with stay as they are.
+void Viewer::show_reloaded_scene() {
+  toolbox_.use_default();
+  view_.show(nullptr);
+  display_.show(document_.opened().scene);
+}
+
+void Viewer::take_reference(const std::string& path) {
+  comparison_.load_reference(path);
+  tabs_.show(Tabs::Compare);
+}
+
+/// From the large picture of one to all of them, from there to the render.
+void Viewer::leave_techniques() {
+  TechniqueView& view = document_.technique_view();
+  view.shown = view.enlarged.has_value();
+  view.enlarged.reset();
 }
 
 void Viewer::show_new_scene() {

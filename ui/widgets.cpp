@@ -8,6 +8,7 @@ namespace guidelight {
 namespace {
 
 constexpr float kLabelShare = 0.35f;  // of a panel's width
+constexpr float kLargestLabelShare = 0.5f;
 
 float text_width(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
 
@@ -21,14 +22,18 @@ std::vector<size_t> character_starts(const std::string& text) {
   return starts;
 }
 
-void row_label(const char* label, const std::string& help) {
+float needed_width(const std::string& label) {
+  return text_width(label) + ImGui::GetStyle().ItemInnerSpacing.x;
+}
+
+float usual_column() { return kLabelShare * ImGui::GetContentRegionAvail().x; }
+
+void row_label(const char* label, const std::string& help, float column = 0) {
   const float left = ImGui::GetCursorPosX();
-  const float share = kLabelShare * ImGui::GetContentRegionAvail().x;
-  const float needed = ImGui::CalcTextSize(label).x + ImGui::GetStyle().ItemInnerSpacing.x;
-  const float column = left + std::max(share, needed);
-  dim_text(label);
+  if (column <= 0) column = std::max(usual_column(), needed_width(label));
+  dim_text(shortened(label, column - ImGui::GetStyle().ItemInnerSpacing.x));
   if (!help.empty()) tooltip(help);
-  ImGui::SameLine(column);
+  ImGui::SameLine(left + column);
 }
 
 /// The unit as part of a printf format.
@@ -72,9 +77,15 @@ bool section(const char* title) {
   return open;
 }
 
-void row(const char* label, const std::string& help) {
+float label_column(const std::vector<std::string>& labels) {
+  float widest = usual_column();
+  for (const std::string& label : labels) widest = std::max(widest, needed_width(label));
+  return std::round(std::min(widest, kLargestLabelShare * ImGui::GetContentRegionAvail().x));
+}
+
+void row(const char* label, const std::string& help, float column) {
   ImGui::AlignTextToFramePadding();
-  row_label(label, help);
+  row_label(label, help, column);
   ImGui::SetNextItemWidth(-FLT_MIN);
 }
 

@@ -24,8 +24,13 @@ float scaled(float length);
 /// A heading that opens and closes what follows; returns whether it is open.
 bool section(const char* title);
 
-/// Begins a row: the label on the left with a tooltip, the next widget fills the right.
-void row(const char* label, const std::string& help = "");
+/// Begins a row: the label on the left with a tooltip, the next widget fills the right. `column`:
+/// where the right begins, from the left edge; 0 for the usual share of the width, or for the
+/// label's own if it is longer.
+void row(const char* label, const std::string& help = "", float column = 0);
+/// Where it begins so that the fields of all these labels stand below each other: as far to the
+/// right as they need, at most at half of the width. Labels beyond are shortened.
+float label_column(const std::vector<std::string>& labels);
 
 /// A number that is dragged, or typed after a double click, with its unit behind it. Each returns
 /// whether the value was changed; it stays within the limits.

@@ -49,11 +49,9 @@ Window& window_of(GLFWwindow* handle) {
   return *static_cast<Window*>(glfwGetWindowUserPointer(handle));
 }
 
-/// What has been drawn and not yet shown.
-
 }  // namespace
 
-Window::Window(const std::string& title, float ui_scale) {
+Window::Window(const std::string& title, float ui_scale) : follows_monitor_(ui_scale <= 0) {
   if (!glfwInit()) {
     throw Error(
         "cannot open a window ({}): start it in a graphical session, or use `guidelight render`",
@@ -110,7 +108,8 @@ void Window::install_callbacks() {
     if (window.on_drop) window.on_drop(std::vector<std::string>(paths, paths + count));
   });
   glfwSetWindowContentScaleCallback(window_, [](GLFWwindow* handle, float x, float y) {
-    window_of(handle).set_scale(std::max(x, y));
+    Window& window = window_of(handle);
+    if (window.follows_monitor_) window.take_scale(std::max(x, y));
   });
 }
 
@@ -203,6 +202,11 @@ void Window::end_frame(DisplayImage* capture) {
 }
 
 void Window::set_scale(float scale) {
+  follows_monitor_ = false;
+  take_scale(scale);
+}
+
+void Window::take_scale(float scale) {
   scale_ = std::clamp(scale, kSmallestScale, kLargestScale);
   scale_changed_ = true;
   wake();

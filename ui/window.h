@@ -40,7 +40,7 @@ class Window {
   void end_frame(DisplayImage* capture = nullptr);
 
   float scale() const { return scale_; }
-  /// Rebuilds fonts and theme before the next frame.
+  /// Rebuilds fonts and theme before the next frame. From then on the monitor's scale is ignored.
   void set_scale(float scale);
 
   /// Keys as they are pressed or repeated: GLFW key code and modifiers. Not called for keys that a
@@ -64,6 +64,7 @@ class Window {
     int modifiers;
   };
   void install_callbacks();
+  void take_scale(float scale);
   struct ButtonChange {
     int button;
     int action;
@@ -82,6 +83,7 @@ class Window {
   GLFWwindow* window_ = nullptr;
   float scale_ = 1;
   bool scale_changed_ = true;
+  bool follows_monitor_;  // nobody has chosen a scale
   static constexpr int kButtons = 8;
   Vec2 mouse_{0};  // as of the last event
   std::deque<std::variant<KeyChange, ButtonChange>> events_;

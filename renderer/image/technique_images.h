@@ -21,41 +21,58 @@ class TechniqueImages {
     int t = 0;
     bool is_merging = false;
     auto operator<=>(const Technique&) const = default;
+    /// Of the paths that it makes [segments]; a merged path has one vertex that is of both sides.
+    int path_length() const { return s + t - (is_merging ? 2 : 1); }
     /// For layers of a file, e.g. "connection_s2_t3".
     std::string name() const;
   };
   /// Longer paths are not kept apart, they would be thousands of pictures.
   static constexpr int kLongestPath = 9;  // segments
 
-  TechniqueImages(int width, int height) : width_(width), height_(height) {}
+  /// Squares of `block` × `block` pixels are kept as one, which saves memory.
+  TechniqueImages(int width, int height, int longest_path = kLongestPath, int block = 1);
 
-  int width() const { return width_; }
-  int height() const { return height_; }
+  /// Of the pictures that are kept [blocks].
+  int width() const { return columns_; }
+  int height() const { return rows_; }
+  int longest_path() const { return longest_path_; }
+  /// Held for the techniques that have brought anything yet [bytes]. Thread safe.
+  size_t bytes() const { return bytes_; }
 
   /// Adds a contribution to a pixel: as the balance heuristic weighs it, and as the technique would
   /// count it alone. Thread safe.
   void add(const Technique& technique, int x, int y, Color weighted, Color raw);
   /// Ends a pass: the images are means over passes.
   void finish_pass() { ++passes_; }
+  uint32_t passes() const { return passes_; }
 
   struct Pair {
     Image weighted;
     Image raw;
   };
-  /// All that received anything. Not while a pass is under way.
-  std::map<Technique, Pair> develop() const;
+  /// All that received anything, smaller by a factor. Not while a pass is under way.
+  std::map<Technique, Pair> develop(int shrink = 1) const;
+  /// One of them; black if it received nothing. Not while a pass is under way.
+  Pair develop(const Technique& technique) const;
 
  private:
   struct Sums {
-    std::vector<std::atomic<float>> values;  // 6 per pixel: weighted and raw
+    std::once_flag made;
+    std::vector<std::atomic<float>> values;  // 6 per block: weighted and raw
   };
-  Sums& sums_of(const Technique& technique);
+  size_t index_of(const Technique& technique) const;
+  Technique technique_at(size_t index) const;
+  Pair develop(const Sums& sums, int shrink) const;
 
   int width_;
   int height_;
+  int longest_path_;
+  int block_;
+  int columns_;
+  int rows_;
   uint32_t passes_ = 0;
-  mutable std::mutex mutex_;
-  std::map<Technique, std::unique_ptr<Sums>> sums_;
+  std::atomic<size_t> bytes_ = 0;
+  std::vector<Sums> sums_;  // by index_of
 };
 
 }  // namespace guidelight

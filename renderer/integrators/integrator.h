@@ -59,6 +59,7 @@ struct IntegratorInfo {
   /// `settings` must come from make_settings of the same entry.
   std::unique_ptr<Integrator> (*create)(std::shared_ptr<const Scene> scene,
                                         const IntegratorSettings& settings);
+  bool combines_techniques = false;  // and can keep them apart: PassContext::techniques
 };
 
 const std::vector<IntegratorInfo>& integrators();

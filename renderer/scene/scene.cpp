@@ -1,5 +1,6 @@
 #include "renderer/scene/scene.h"
 
+#include "renderer/parallel/worker_counter.h"
 #include "renderer/scene/accelerator.h"
 #include "renderer/scene/ray_log.h"
 
@@ -21,17 +22,35 @@ std::shared_ptr<const Scene> Scene::with_ray_log(RayLog& log) const {
   return scene;
 }
 
-Hit Scene::intersect(const Ray& ray) const { return content_->accelerator->intersect(ray); }
+std::shared_ptr<const Scene> Scene::with_ray_counter(WorkerCounter& counter) const {
+  const std::shared_ptr<Scene> scene(new Scene(content_, camera_));
+  scene->counter_ = &counter;
+  return scene;
+}
 
-bool Scene::occluded(const Ray& ray) const { return content_->accelerator->occluded(ray); }
+inline void Scene::count_rays(size_t count) const {
+  if (counter_) counter_->add(count);
+}
+
+Hit Scene::intersect(const Ray& ray) const {
+  count_rays(1);
+  return content_->accelerator->intersect(ray);
+}
+
+bool Scene::occluded(const Ray& ray) const {
+  count_rays(1);
+  return content_->accelerator->occluded(ray);
+}
 
 void Scene::intersect(std::span<const Ray> rays, std::span<Hit> hits) const {
   if (log_) log_->add(false, rays);
+  count_rays(rays.size());
   content_->accelerator->intersect(rays, hits);
 }
 
 void Scene::occluded(std::span<const Ray> rays, std::span<uint8_t> blocked) const {
   if (log_) log_->add(true, rays);
+  count_rays(rays.size());
   content_->accelerator->occluded(rays, blocked);
 }
 

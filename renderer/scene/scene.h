@@ -17,6 +17,7 @@ namespace guidelight {
 
 class Accelerator;
 class RayLog;
+class WorkerCounter;
 
 /// The immutable run-time form of a SceneDescription: everything an integrator asks of a scene.
 /// Shared by shared_ptr<const Scene>; an edit makes a new one that shares what did not change.
@@ -34,6 +35,9 @@ class Scene {
 
   /// The same scene that writes down every batch of rays; `log` must outlive it.
   std::shared_ptr<const Scene> with_ray_log(RayLog& log) const;
+
+  /// The same scene that counts its rays; `counter` must outlive it.
+  std::shared_ptr<const Scene> with_ray_counter(WorkerCounter& counter) const;
 
   const SceneDescription& description() const { return *content_->description; }
   const Camera& camera() const { return camera_; }
@@ -115,10 +119,12 @@ class Scene {
   class Builder;
 
   Scene(std::shared_ptr<const Content> content, const Camera& camera);
+  void count_rays(size_t count) const;
 
   std::shared_ptr<const Content> content_;
   Camera camera_;
   RayLog* log_ = nullptr;
+  WorkerCounter* counter_ = nullptr;
 };
 
 }  // namespace guidelight

@@ -4,6 +4,7 @@
 
 #include "renderer/error.h"
 #include "renderer/image/technique_images.h"
+#include "renderer/parallel/worker_counter.h"
 #include "renderer/session/stopwatch.h"
 #include "renderer/transport/guide_mixture.h"
 
@@ -29,6 +30,8 @@ class ProgressiveRender {
         settings_(job.settings ? job.settings->clone()
                                : info_.make_settings(job.scene->description().hints)),
         parallel_(job.threads, &control, job.priority),
+        rays_(parallel_.threads()),
+        scene_(job.scene->with_ray_counter(rays_)),
         observer_(observer) {
     status_.full_width = job.scene->camera().width();
     status_.full_height = job.scene->camera().height();
@@ -45,18 +48,19 @@ class ProgressiveRender {
       throw;
     }
     status_.passes = first_pass;
-    const auto integrator = info_.create(job_.scene, *settings_);
+    const auto integrator = info_.create(scene_, *settings_);
     PassContext context{.seed = job_.seed,
                         .parallel = &parallel_,
                         .region = job_.region,
-                        .history = job_.history.get(),
-                        .techniques = job_.techniques.get()};
+                        .history = job_.history.get()};
     if (first_pass > 0 && target_reached(*film)) {
       show(*film, SessionState::Finished);
       rest_until_there_is_more_to_do(film, first_pass);
     }
     for (uint32_t pass = first_pass;; ++pass) {
       follow_guides(observer_.guides(), context);
+      const std::shared_ptr<TechniqueImages> techniques = observer_.techniques();
+      context.techniques = techniques.get();
       const size_t photons_wanted = observer_.photons_wanted();
       PhotonRequest photons(photons_wanted);
       context.photons = photons_wanted > 0 ? &photons : nullptr;
@@ -73,7 +77,7 @@ class ProgressiveRender {
         throw;
       }
       film->finish_pass();
-      if (job_.techniques) job_.techniques->finish_pass();
+      if (techniques) techniques->finish_pass();
       status_.photons =
           context.photons ? std::make_shared<PhotonCloud>(std::move(photons.cloud())) : nullptr;
       status_.chains = integrator->chain_statistics();
@@ -100,7 +104,7 @@ class ProgressiveRender {
   void follow_guides(const GuideList& guides, PassContext& context) {
     if (guides == guides_) return;
     guides_ = guides;
-    context.guides = guides ? GuideMixture::build(job_.scene, *guides) : nullptr;
+    context.guides = guides ? GuideMixture::build(scene_, *guides) : nullptr;
   }
 
   void save(const std::shared_ptr<const Film>& film, uint32_t next_pass) {
@@ -169,6 +173,8 @@ class ProgressiveRender {
     status_.layers = develop(film);
     status_.state = state;
     status_.seconds = seconds();
+    const double spent = observer_.seconds();  // without those of a checkpoint
+    status_.rays_per_second = spent > 0 ? static_cast<double>(rays_.total()) / spent : 0;
     status_.samples = film.total_samples();
     status_.rejected_samples = film.rejected();
     status_.relative_error = film.estimated_relative_error();
@@ -201,6 +207,8 @@ class ProgressiveRender {
   const IntegratorInfo& info_;
   std::unique_ptr<IntegratorSettings> settings_;
   Parallel parallel_;
+  WorkerCounter rays_;
+  std::shared_ptr<const Scene> scene_;  // the job's, counting its rays
   RenderObserver& observer_;
   Snapshot status_;
   GuideList guides_;

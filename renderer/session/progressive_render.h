@@ -19,6 +19,8 @@ class RenderObserver {
   virtual RenderTargets targets() const = 0;
   /// Which guides to follow in the next pass.
   virtual GuideList guides() const = 0;
+  /// Where techniques are kept apart in the next pass; null for nowhere.
+  virtual std::shared_ptr<TechniqueImages> techniques() const = 0;
   /// Who has asked for the progress since this was called last.
   virtual std::vector<SaveProgress> take_save_requests() = 0;
   /// How many photons should be handed over with each picture; 0 for none.

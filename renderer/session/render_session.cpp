@@ -52,6 +52,11 @@ class RenderSession::Impl : private RenderObserver {
     (next_ ? next_->guides : guides_) = std::move(guides);
   }
 
+  void set_techniques(std::shared_ptr<TechniqueImages> techniques) {
+    const std::lock_guard lock(mutex_);
+    (next_ ? next_->techniques : techniques_) = std::move(techniques);
+  }
+
   void request_photons(size_t cap) { photons_wanted_ = cap; }
 
   void save(SaveProgress save) {
@@ -114,6 +119,7 @@ class RenderSession::Impl : private RenderObserver {
     std::erase_if(save_requests_, [&](const auto& request) { return request.job != current_job_; });
     targets_ = next_->targets;
     guides_ = next_->guides;
+    techniques_ = next_->techniques;
     std::optional<RenderJob> job = std::move(next_);
     next_.reset();
     return job;
@@ -153,6 +159,11 @@ class RenderSession::Impl : private RenderObserver {
   GuideList guides() const override {
     const std::lock_guard lock(mutex_);
     return guides_;
+  }
+
+  std::shared_ptr<TechniqueImages> techniques() const override {
+    const std::lock_guard lock(mutex_);
+    return techniques_;
   }
 
   size_t photons_wanted() const override { return photons_wanted_; }
@@ -213,11 +224,12 @@ class RenderSession::Impl : private RenderObserver {
   std::atomic<size_t> photons_wanted_ = 0;
   bool quit_ = false;
   bool paused_ = false;
-  bool picture_shown_ = false;  // of the current job, at full size
-  bool resting_ = false;        // the current job has reached a target
-  bool has_orders_ = false;     // something was asked for that ends the rest
-  RenderTargets targets_;       // of the current job
-  GuideList guides_;            // of the current job
+  bool picture_shown_ = false;                   // of the current job, at full size
+  bool resting_ = false;                         // the current job has reached a target
+  bool has_orders_ = false;                      // something was asked for that ends the rest
+  RenderTargets targets_;                        // of the current job
+  GuideList guides_;                             // of the current job
+  std::shared_ptr<TechniqueImages> techniques_;  // of the current job
   struct SaveRequest {
     uint64_t job;
     SaveProgress save;
@@ -243,6 +255,9 @@ void RenderSession::resume() { impl_->set_paused(false); }
 void RenderSession::stop() { impl_->stop(); }
 void RenderSession::set_targets(const RenderTargets& targets) { impl_->set_targets(targets); }
 void RenderSession::set_guides(GuideList guides) { impl_->set_guides(std::move(guides)); }
+void RenderSession::set_techniques(std::shared_ptr<TechniqueImages> techniques) {
+  impl_->set_techniques(std::move(techniques));
+}
 void RenderSession::request_photons(size_t cap) { impl_->request_photons(cap); }
 void RenderSession::save(SaveProgress save) { impl_->save(std::move(save)); }
 std::shared_ptr<const Snapshot> RenderSession::snapshot() const { return impl_->snapshot(); }

@@ -46,7 +46,7 @@ struct RenderJob {
   /// For methods that can follow them; those that do not fit the scene are left out.
   GuideList guides;
   /// Bidirectional methods keep their techniques apart in these, of the scene's size. May be read
-  /// when the job has finished.
+  /// when the job has finished, and by what RenderSession::save calls.
   std::shared_ptr<TechniqueImages> techniques;
   /// Show pictures of 1/8, 1/4, 1/2 of the size first, so that something is there at once.
   bool coarse_first = false;
@@ -86,6 +86,9 @@ class RenderSession {
   /// From the next pass on the job that was started last follows these guides. What was rendered
   /// stays: guides change the noise, not the result.
   void set_guides(GuideList guides);
+  /// From the next pass on the job that was started last keeps its techniques apart in these, of
+  /// the scene's size; null for nowhere.
+  void set_techniques(std::shared_ptr<TechniqueImages> techniques);
   /// From now on pictures come with photons of their last pass, at most `cap` of them; 0 for none,
   /// which costs nothing.
   void request_photons(size_t cap);

@@ -26,6 +26,8 @@ struct Snapshot {
   uint32_t passes = 0;
   double seconds = 0;  // spent rendering, pauses excluded
   uint64_t samples = 0;
+  /// Mean since the job began, shadow rays included; coarse pictures are not counted.
+  double rays_per_second = 0;
   uint64_t rejected_samples = 0;  // not finite, counted as black
   double relative_error = 0;      // Film::estimated_relative_error
   float progress = 0;             // towards the nearest target, 0..1; 0 without targets

@@ -56,6 +56,29 @@ TEST_F(CompareTest, AReferenceGivesTheErrorOverTime) {
   EXPECT_TRUE(wait_until([&] { return columns_with_curve() > 150; }));
 }
 
+TEST_F(CompareTest, ADroppedPictureWithoutASessionIsTakenAsTheReference) {
+  start({write_scene("ball.xml")});
+  ASSERT_TRUE(wait_for_full_picture());
+  const std::string path = (folder() / "plain.exr").string();
+  write_exr(path, {{{"beauty", read_image(save_png())}}, {}});
+  EXPECT_LT(columns_with_curve(), 150u);
+  ASSERT_TRUE(driver_->drop_file(path, kViewCenter));
+  EXPECT_TRUE(wait_until([&] { return columns_with_curve() > 150; }));
+}
+
+TEST_F(CompareTest, ADroppedPictureWithASessionCanBecomeTheReference) {
+  start({write_scene("ball.xml")});
+  ASSERT_TRUE(wait_for_full_picture());
+  const std::string saved = save_png();
+  ASSERT_TRUE(driver_->drop_file(saved, kViewCenter));
+  // The message's button, at its left.
+  constexpr int kInButton = kViewCorner.x + 40;
+  ASSERT_TRUE(wait_until([&] { return !fields_at(kInButton).empty(); }));
+  EXPECT_LT(columns_with_curve(), 150u);
+  driver_->click(fields_at(kInButton).front());
+  EXPECT_TRUE(wait_until([&] { return columns_with_curve() > 150; }));
+}
+
 TEST_F(CompareTest, AFileThatIsNoPictureIsRefusedInWords) {
   const std::string scene = write_scene("ball.xml");
   start({scene});

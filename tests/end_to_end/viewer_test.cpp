@@ -381,6 +381,39 @@ TEST_F(ViewerTest, ADroppedSceneIsOpened) {
   EXPECT_TRUE(wait_until([&] { return view_difference(before) > kNoise; }));
 }
 
+TEST_F(ViewerTest, AReloadKeepsTheCameraUnlessTheFileHasAnother) {
+  const std::string path = write_scene("ball.xml");
+  start({path, "--integrator", "bdpt"});
+  ASSERT_TRUE(wait_for_picture());
+  const auto at_first = read_metadata(save_png());
+  driver_->drag(kViewCenter, {kViewCenter.x + 60, kViewCenter.y}, Mouse::Left, {"Alt_L"});
+  std::this_thread::sleep_for(1s);
+  const auto then = read_metadata(save_png());
+  ASSERT_NE(then.at("camera_to_world"), at_first.at("camera_to_world"));
+
+  const auto edit = [&](const std::string& from, const std::string& to) {
+    std::ifstream in(path);
+    std::string text{std::istreambuf_iterator<char>(in), {}};
+    text.replace(text.find(from), from.size(), to);
+    std::ofstream(path) << text;
+  };
+  const auto reloaded = [&](const Metadata& before) {
+    driver_->press_key("r", {"Control_L"});
+    Metadata now;
+    EXPECT_TRUE(wait_until([&] {
+      now = read_metadata(save_png());
+      return now.at("scene_hash") != before.at("scene_hash");
+    }));
+    return now;
+  };
+  edit("0.4, 0.5, 0.6", "0.6, 0.5, 0.4");
+  const auto lit_otherwise = reloaded(then);
+  EXPECT_EQ(lit_otherwise.at("camera_to_world"), then.at("camera_to_world"));
+  EXPECT_EQ(lit_otherwise.at("integrator"), "bdpt");
+  edit("0, 0, 5", "0, 0, 4");
+  EXPECT_NE(reloaded(lit_otherwise).at("camera_to_world"), then.at("camera_to_world"));
+}
+
 TEST_F(ViewerTest, ADroppedPictureRestoresItsSession) {
   start({scene("default"), "--size", "160x120", "--seed", "5"});
   ASSERT_TRUE(wait_for_picture());

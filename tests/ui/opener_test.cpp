@@ -88,7 +88,8 @@ class OpenerTest : public ::testing::Test {
   fs::path folder_;
   std::shared_ptr<UiQueue> queue_ = std::make_shared<UiQueue>([] {});
   Document document_{[] {}};
-  std::unique_ptr<Opener> opener_ = std::make_unique<Opener>(document_, queue_, [] {});
+  std::unique_ptr<Opener> opener_ = std::make_unique<Opener>(
+      document_, queue_, Opener::Listener{[] {}, [] {}, [](const std::string&) {}});
 };
 
 TEST_F(OpenerTest, APictureWithoutAUsableCameraOrSizeChangesNothing) {
@@ -152,8 +153,10 @@ TEST_F(OpenerTest, GuidesThatASessionReplacesAreKept) {
   open_picture(with_guides);
   EXPECT_EQ(document_.guides()->front().name, "of the picture");
   const std::string aside = path("ball.guides.json.earlier");
-  ASSERT_TRUE(update_until([&] { return !document_.messages().shown().empty(); }));
-  EXPECT_NE(document_.messages().shown().back().text.find(aside), std::string::npos);
+  const auto is_said = [&] {
+    return document_.messages().shown().back().text.find(aside) != std::string::npos;
+  };
+  EXPECT_TRUE(update_until(is_said));
   EXPECT_EQ(read_guides(aside).front().name, "mine");
 
   open_picture(with_guides);  // the same again: nothing is replaced

@@ -26,12 +26,7 @@ void draw_guide_commands(const Document& document, bool tool_active, const Perfo
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
   const auto command = [&](const char* label, Action action, bool on) {
-    const std::string reason = why_disabled(action, document);
-    ImGui::BeginDisabled(!reason.empty());
-    if (toggle_button(label, on, {width, 0})) perform(action);
-    ImGui::EndDisabled();
-    tooltip(reason.empty() ? fmt::format("{} ({})", action_label(action), shortcut_text(action))
-                           : reason);
+    action_button(label, action, on, width, document, perform);
   };
   command("New", Action::NewGuide, tool_active);
   ImGui::SameLine();

@@ -8,9 +8,11 @@ namespace {
 
 constexpr const char* kRestarts = "Changing it restarts the render.";
 
-void draw_integrator_choice(Document& document) {
+constexpr const char* kAlgorithm = "Algorithm";
+
+void draw_integrator_choice(Document& document, float column) {
   const IntegratorInfo& current = find_integrator(document.settings().integrator);
-  row("Algorithm", std::string("How light is simulated. ") + kRestarts);
+  row(kAlgorithm, std::string("How light is simulated. ") + kRestarts, column);
   const float width = ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - scaled(8);
   if (ImGui::BeginCombo("##integrator", shortened(current.label, width).c_str(),
                         ImGuiComboFlags_HeightLargest)) {
@@ -69,22 +71,25 @@ struct ParameterWidget {
 
 }  // namespace
 
-bool draw_parameter(const Parameter& parameter) {
-  row(parameter.label.c_str(), parameter.help + " " + kRestarts);
+bool draw_parameter(const Parameter& parameter, float column) {
+  row(parameter.label.c_str(), parameter.help + " " + kRestarts, column);
   const std::string id = "##" + parameter.key;
   return std::visit(ParameterWidget{parameter, id.c_str()}, parameter.value);
 }
 
 void draw_integrator_panel(Document& document) {
   if (!document.has_scene() || !section("Integrator")) return;
-  draw_integrator_choice(document);
-  if (!document.settings().parameters) return;
-  std::shared_ptr<IntegratorSettings> edited = document.settings().parameters->clone();
+  const std::shared_ptr<IntegratorSettings> edited = document.settings().parameters->clone();
+  const std::vector<Parameter> parameters = edited->parameters();
+  std::vector<std::string> labels = {kAlgorithm};
+  for (const Parameter& parameter : parameters) labels.push_back(parameter.label);
+  const float column = label_column(labels);
+  draw_integrator_choice(document, column);
   bool changed = false;
-  for (const Parameter& parameter : edited->parameters()) changed |= draw_parameter(parameter);
+  for (const Parameter& parameter : parameters) changed |= draw_parameter(parameter, column);
   if (!changed) return;
   RenderSettings settings = document.settings();
-  settings.parameters = std::move(edited);
+  settings.parameters = edited;
   document.set_settings(settings);
 }
 

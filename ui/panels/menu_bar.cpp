@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cstring>
 #include <filesystem>
 
@@ -14,6 +16,21 @@ void draw_recent_menu(const RecentFiles& recent,
     if (ImGui::MenuItem(shortened(path, scaled(420)).c_str())) open_scene(path);
   }
   ImGui::EndMenu();
+}
+
+std::string why_no_techniques(Action action, const Document& document) {
+  if (!document.has_scene()) return "No scene is open";
+  const IntegratorInfo& info = find_integrator(document.settings().integrator);
+  if (!info.combines_techniques) {
+    return info.label +
+           " is one technique alone: choose a bidirectional algorithm, or vertex "
+           "connection and merging";
+  }
+  if (action == Action::ShowTechniques && !document.techniques()) {
+    return fmt::format("Techniques are not recorded: press Record ({})",
+                       shortcut_text(Action::RecordTechniques));
+  }
+  return "";
 }
 
 }  // namespace
@@ -33,6 +50,9 @@ std::string why_disabled(Action action, const Document& document) {
       return document.harvest().paths.empty() ? "No light path is shown: pick a pixel or a "
                                                 "rectangle while the Guides tab is open"
                                               : "";
+    case Action::RecordTechniques:
+    case Action::ShowTechniques:
+      return why_no_techniques(action, document);
     case Action::OpenScene:
     case Action::ResumeCheckpoint:
     case Action::Quit:
@@ -46,6 +66,16 @@ std::string why_disabled(Action action, const Document& document) {
     default:
       return document.has_scene() ? "" : "No scene is open";
   }
+}
+
+void action_button(const char* label, Action action, bool on, float width, const Document& document,
+                   const Perform& perform) {
+  const std::string reason = why_disabled(action, document);
+  ImGui::BeginDisabled(!reason.empty());
+  if (toggle_button(label, on, {width, 0})) perform(action);
+  ImGui::EndDisabled();
+  tooltip(reason.empty() ? fmt::format("{} ({})", action_label(action), shortcut_text(action))
+                         : reason);
 }
 
 std::string menu_label(Action action, const Document& document) {

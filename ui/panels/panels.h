@@ -21,12 +21,17 @@ std::string why_disabled(Action action, const Document& document);
 /// As in menus, with what exactly would be undone.
 std::string menu_label(Action action, const Document& document);
 
+/// A button for an action, in the accent colour while `on`, with its key in the tooltip; disabled,
+/// with the reason there instead, where the action makes no sense.
+void action_button(const char* label, Action action, bool on, float width, const Document& document,
+                   const Perform& perform);
+
 void draw_menu_bar(const Document& document, const RecentFiles& recent, const Perform& perform,
                    const std::function<void(const std::string&)>& open_scene, ViewLayout& views);
 
 void draw_scene_panel(const Document& document);
-/// A row with a parameter's widget; returns whether its value was changed.
-bool draw_parameter(const Parameter& parameter);
+/// A row with a parameter's widget; returns whether its value was changed. `column` as in row().
+bool draw_parameter(const Parameter& parameter, float column = 0);
 void draw_integrator_panel(Document& document);
 void draw_render_panel(Document& document, bool region_tool_active, int& autosave_minutes,
                        const Perform& perform);
@@ -39,6 +44,9 @@ void draw_image_panel(Document& document, const Perform& perform);
 void draw_histogram_panel(const Document& document, const Picture* picture);
 /// Shows the picked pixel, else the one under the mouse.
 void draw_inspector_panel(Document& document);
+
+/// Whether techniques are recorded, and how they are shown.
+void draw_techniques_panel(Document& document, const Perform& perform);
 
 /// `zoom`: screen pixels per pixel of the picture. `loading` names the scene that is being read;
 /// empty if there is none.

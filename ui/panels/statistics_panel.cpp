@@ -57,6 +57,8 @@ void draw_statistics_panel(const Document& document) {
   if (status.seconds > 0) {
     readout("Samples", format_count(static_cast<double>(status.samples) / status.seconds) + "/s",
             "Of pixels, mean since the render began");
+    readout("Rays", format_count(status.rays_per_second) + "/s",
+            "Traced by Embree for paths, connections and shadows, mean since the render began");
   }
   draw_error(document);
   if (document.picture() && document.picture()->photons) {

@@ -207,6 +207,7 @@ std::vector<IntegratorInfo> bidirectional_infos() {
   list.push_back({"vcm", "Vertex connection and merging",
                   "Bidirectional path tracing and photon mapping combined: the most robust choice.",
                   bidirectional_settings<Vcm>, create_bidirectional});
+  for (IntegratorInfo& info : list) info.combines_techniques = true;
   return list;
 }
 

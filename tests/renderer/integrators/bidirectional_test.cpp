@@ -163,8 +163,7 @@ TEST(Techniques, weighted_ones_sum_to_the_picture_and_raw_ones_are_complete_alon
   std::map<int, std::vector<double>> raw_by_length;
   for (const auto& [technique, pair] : images) {
     sum += luminance(testing::mean_color(pair.weighted));
-    const int length = technique.s + technique.t - (technique.is_merging ? 2 : 1);
-    raw_by_length[length].push_back(luminance(testing::mean_color(pair.raw)));
+    raw_by_length[technique.path_length()].push_back(luminance(testing::mean_color(pair.raw)));
   }
   EXPECT_NEAR(sum, mean(film), 1e-3 * mean(film));
   // Paths of k segments: s from 0 to k by connection (t = 1 with s = 1 is left to emission), and

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "renderer/error.h"
+#include "renderer/image/technique_images.h"
 #include "renderer/session/stopwatch.h"
 #include "tests/renderer/test_scenes.h"
 
@@ -54,6 +55,11 @@ TEST(RenderSession, renders_to_its_pass_target_and_reports_figures) {
   EXPECT_EQ(snapshot->samples, 5u * 64 * 64);
   EXPECT_FLOAT_EQ(snapshot->progress, 1);
   EXPECT_GT(snapshot->seconds, 0);
+  // In a closed room each path traces a camera ray, a shadow ray and some more of both.
+  const double rays_per_path =
+      snapshot->rays_per_second * snapshot->seconds / static_cast<double>(snapshot->samples);
+  EXPECT_GT(rays_per_path, 3);
+  EXPECT_LT(rays_per_path, 50);
   EXPECT_GT(luminance(testing::mean_color(snapshot->layer(Layer::Beauty))), 0.01f);
 }
 
@@ -280,6 +286,26 @@ TEST(RenderSession, hands_over_photons_to_those_who_ask) {
   session.start(job);
   session.wait();
   EXPECT_EQ(session.snapshot()->photons, nullptr);
+}
+
+TEST(RenderSession, keeps_techniques_apart_from_when_it_is_asked_to) {
+  RenderSession session;
+  RenderJob job = room_job(16);
+  job.integrator = "bdpt";
+  session.start(job);
+  ASSERT_TRUE(eventually([&] { return session.snapshot()->passes >= 2; }));
+  const auto techniques = std::make_shared<TechniqueImages>(16, 16);
+  session.set_techniques(techniques);
+  std::atomic<uint32_t> kept = 0;
+  ASSERT_TRUE(eventually([&] {
+    session.save([&](const RenderProgress&) { kept = techniques->passes(); });
+    return kept >= 2;
+  }));
+  session.set_techniques(nullptr);
+  session.stop();
+  session.wait();
+  EXPECT_LT(techniques->passes(), session.snapshot()->passes);
+  EXPECT_GE(techniques->develop().size(), 6u);
 }
 
 TEST(RenderSession, saves_on_request_after_the_pass) {
