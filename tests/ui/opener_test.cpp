@@ -153,8 +153,10 @@ TEST_F(OpenerTest, GuidesThatASessionReplacesAreKept) {
   open_picture(with_guides);
   EXPECT_EQ(document_.guides()->front().name, "of the picture");
   const std::string aside = path("ball.guides.json.earlier");
-  EXPECT_TRUE(update_until(
-      [&] { return document_.messages().shown().back().text.find(aside) != std::string::npos; }));
+  const auto is_said = [&] {
+    return document_.messages().shown().back().text.find(aside) != std::string::npos;
+  };
+  EXPECT_TRUE(update_until(is_said));
   EXPECT_EQ(read_guides(aside).front().name, "mine");
 
   open_picture(with_guides);  // the same again: nothing is replaced

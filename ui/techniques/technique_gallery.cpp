@@ -77,9 +77,14 @@ void TechniqueGallery::develop() {
   const Look wanted{kept_, document_.technique_view().weighted, document_.view().of_radiance()};
   if (wanted == look_) return;
   look_ = wanted;
-  worker_.run([this, wanted, queue = queue_] {
+  const auto develop_all = [this, wanted, queue = queue_] {
     queue->post([this, wanted, pictures = develop(wanted)] {
       if (wanted == look_) pictures_ = pictures;
+    });
+  };
+  worker_.run(develop_all, [this, queue = queue_](const std::string& reason) {
+    queue->post([this, text = "The techniques cannot be shown: " + reason] {
+      document_.messages().error(text);
     });
   });
 }
