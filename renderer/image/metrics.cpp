@@ -159,6 +159,14 @@ Image relative_error_map(const Image& image, const Image& reference) {
   return map;
 }
 
+Color mean_color(const Image& image) {
+  glm::dvec3 sum(0);
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) sum += glm::dvec3(image.color(x, y));
+  }
+  return Color(sum / static_cast<double>(std::max<size_t>(image.pixel_count(), 1)));
+}
+
 double efficiency(double relative_mse, double seconds) { return 1 / (relative_mse * seconds); }
 
 }  // namespace guidelight

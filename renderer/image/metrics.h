@@ -46,6 +46,9 @@ inline constexpr int kBiasBlockSize = 16;
 /// as compare_images().
 Image relative_error_map(const Image& image, const Image& reference);
 
+/// Over all pixels; black of an image without any.
+Color mean_color(const Image& image);
+
 /// 1 / (relative_mse · seconds): does not depend on the number of samples.
 double efficiency(double relative_mse, double seconds);
 

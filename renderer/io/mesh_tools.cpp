@@ -135,7 +135,7 @@ void drop_unused_vertices(Mesh& mesh) {
 
 namespace {
 
-struct Corner {
+struct FaceCorner {
   uint32_t triangle;
   int corner;
 };
@@ -149,12 +149,12 @@ struct Facet {
 /// The facets around a vertex; each triangle is one unless there are many, all of which would have
 /// to be compared with all.
 std::vector<Facet> facets_around(const Mesh& mesh, const std::vector<Vec3>& face_normals,
-                                 std::span<const Corner> corners) {
+                                 std::span<const FaceCorner> corners) {
   constexpr size_t kMany = 256;
   constexpr float kCells = 64;  // per unit of the normal, below one degree
   std::vector<Facet> facets;
   std::map<std::array<int, 3>, size_t> by_cell;
-  for (const Corner& corner : corners) {
+  for (const FaceCorner& corner : corners) {
     const Vec3 normal = face_normals[corner.triangle];
     const Vec3 weighted =
         normal * corner_angle(mesh, mesh.triangles[corner.triangle], corner.corner);
@@ -175,7 +175,7 @@ std::vector<Facet> facets_around(const Mesh& mesh, const std::vector<Vec3>& face
 
 void compute_creased_normals(Mesh& mesh, float max_angle) {
   const float min_cosine = std::cos(max_angle * kPi / 180);
-  std::vector<std::vector<Corner>> around(mesh.positions.size());
+  std::vector<std::vector<FaceCorner>> around(mesh.positions.size());
   std::vector<Vec3> face_normals;
   for (uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     face_normals.push_back(unit_or(face_vector(mesh, mesh.triangles[t]), Vec3(0)));
@@ -187,7 +187,7 @@ void compute_creased_normals(Mesh& mesh, float max_angle) {
   std::vector<std::array<uint32_t, 3>> triangles = mesh.triangles;
   for (uint32_t vertex = 0; vertex < around.size(); ++vertex) {
     const std::vector<Facet> facets = facets_around(mesh, face_normals, around[vertex]);
-    for (const Corner& own : around[vertex]) {
+    for (const FaceCorner& own : around[vertex]) {
       Vec3 normal(0);
       for (const Facet& facet : facets) {
         if (glm::dot(face_normals[own.triangle], facet.normal) >= min_cosine) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "renderer/image/metrics.h"
 #include "renderer/io/guide_file.h"
 #include "renderer/io/scene_file.h"
 #include "renderer/transport/guide_check.h"
@@ -53,7 +54,7 @@ TEST_P(OwnScene, opens_without_warnings_and_is_lit) {
   scene.film.width = scene.film.height = 64;
   const Film film = testing::render(testing::build(scene), 4);
   EXPECT_EQ(film.rejected(), 0u);
-  const float brightness = luminance(testing::mean_color(film.develop(Layer::Beauty)));
+  const float brightness = luminance(mean_color(film.develop(Layer::Beauty)));
   EXPECT_GT(brightness, 0.02f);
   EXPECT_LT(brightness, 4);
 }

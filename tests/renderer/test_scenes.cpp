@@ -88,12 +88,4 @@ Film render(std::shared_ptr<const Scene> scene, uint32_t passes, int threads, ui
   return film;
 }
 
-Color mean_color(const Image& image) {
-  glm::dvec3 sum(0);
-  for (int y = 0; y < image.height(); ++y) {
-    for (int x = 0; x < image.width(); ++x) sum += glm::dvec3(image.color(x, y));
-  }
-  return Color(sum / static_cast<double>(image.pixel_count()));
-}
-
 }  // namespace guidelight::testing

@@ -29,7 +29,4 @@ std::shared_ptr<const Scene> build(SceneDescription description);
 Film render(std::shared_ptr<const Scene> scene, uint32_t passes, int threads = 2, uint64_t seed = 1,
             const std::string& integrator = "path");
 
-/// Mean of a layer's first channel-wise colours over all pixels.
-Color mean_color(const Image& image);
-
 }  // namespace guidelight::testing

@@ -3,7 +3,7 @@
 namespace guidelight {
 namespace {
 
-constexpr float kFarthest = 0.06f;        // that photons are searched for, of the scene's radius
+constexpr float kFarthestPhoton = 0.06f;  // that photons are searched for, of the scene's radius
 constexpr size_t kTriangles = 40'000;     // that show the density, about
 constexpr std::chrono::seconds kRest{1};  // between maps while a render goes on
 
@@ -32,7 +32,7 @@ void PhotonMapper::update(const std::shared_ptr<const PhotonCloud>& cloud, bool 
   busy_ = true;
   begun_ = now;
   const auto map = [this, cloud, density_wanted, mesh = mesh_, surfaces = surfaces_,
-                    reach = kFarthest * scene_radius_]() mutable {
+                    reach = kFarthestPhoton * scene_radius_]() mutable {
     Parallel alone(1, nullptr, Priority::Background);
     auto knowledge = std::make_shared<PhotonKnowledge>(
         PhotonKnowledge{PhotonSearch(*cloud, reach, alone), std::nullopt});

@@ -10,7 +10,8 @@ constexpr int kMostTexels = 4096;  // looked at for the mean of a picture
 constexpr float kMetalGrey = 0.75f;
 const Color kGlass{0.72f, 0.80f, 0.84f};
 
-Color mean_color(const Image& image) {
+/// About the mean; of a large image not every pixel is looked at.
+Color rough_mean(const Image& image) {
   const size_t step = std::max<size_t>(1, image.pixel_count() / kMostTexels);
   Color sum(0);
   float count = 0;
@@ -46,7 +47,7 @@ class Appearance {
   Color mean(int texture) const {
     const auto& model = scene_.textures[texture].model;
     if (const auto* bitmap = std::get_if<BitmapTexture>(&model)) {
-      return bitmap->image ? mean_color(*bitmap->image) : Color(0.5f);
+      return bitmap->image ? rough_mean(*bitmap->image) : Color(0.5f);
     }
     if (const auto* board = std::get_if<CheckerboardTexture>(&model)) {
       return 0.5f * (mean(board->color0) + mean(board->color1));

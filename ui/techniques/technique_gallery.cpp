@@ -2,20 +2,14 @@
 
 #include <algorithm>
 
+#include "renderer/image/metrics.h"
+
 namespace guidelight {
 namespace {
 
 constexpr std::chrono::milliseconds kBetweenRequests{1000};
 constexpr std::chrono::milliseconds kBetweenFirstRequests{50};  // while there is nothing to show
 constexpr int kThumbnail = 192;                                 // longest side [pixels]
-
-Color mean_color(const Image& image) {
-  glm::dvec3 sum(0);
-  for (int y = 0; y < image.height(); ++y) {
-    for (int x = 0; x < image.width(); ++x) sum += glm::dvec3(image.color(x, y));
-  }
-  return Color(sum / static_cast<double>(std::max<size_t>(image.pixel_count(), 1)));
-}
 
 }  // namespace
 

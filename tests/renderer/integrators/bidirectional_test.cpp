@@ -3,6 +3,7 @@
 #include <thread>
 
 #include "renderer/error.h"
+#include "renderer/image/metrics.h"
 #include "renderer/image/technique_images.h"
 #include "renderer/photons/photon_cloud.h"
 #include "renderer/session/stopwatch.h"
@@ -37,7 +38,7 @@ Film render_with(std::shared_ptr<const Scene> scene, const std::string& name,
 }
 
 double mean(const Film& film, Layer layer = Layer::Beauty) {
-  return luminance(testing::mean_color(film.develop(layer)));
+  return luminance(mean_color(film.develop(layer)));
 }
 
 // -- Light that only merging finds.
@@ -162,8 +163,8 @@ TEST(Techniques, weighted_ones_sum_to_the_picture_and_raw_ones_are_complete_alon
   double sum = 0;
   std::map<int, std::vector<double>> raw_by_length;
   for (const auto& [technique, pair] : images) {
-    sum += luminance(testing::mean_color(pair.weighted));
-    raw_by_length[technique.path_length()].push_back(luminance(testing::mean_color(pair.raw)));
+    sum += luminance(mean_color(pair.weighted));
+    raw_by_length[technique.path_length()].push_back(luminance(mean_color(pair.raw)));
   }
   EXPECT_NEAR(sum, mean(film), 1e-3 * mean(film));
   // Paths of k segments: s from 0 to k by connection (t = 1 with s = 1 is left to emission), and
@@ -204,7 +205,7 @@ TEST(Techniques, sum_to_the_picture_of_a_pass_that_is_given_up) {
     stopper.join();
     double sum = 0;
     for (const auto& [technique, pair] : techniques.develop()) {
-      sum += luminance(testing::mean_color(pair.weighted));
+      sum += luminance(mean_color(pair.weighted));
     }
     EXPECT_NEAR(sum, mean(film), 1e-3 * mean(film)) << name;
   }
@@ -293,8 +294,7 @@ TEST(EveryIntegrator, of_path_length_one_shows_emitters) {
   description.hints.max_depth = 1;
   const auto scene = testing::build(description);
   const auto mean_of = [&](const std::string& name) {
-    return luminance(
-        testing::mean_color(testing::render(scene, 4, 2, 3, name).develop(Layer::Beauty)));
+    return luminance(mean_color(testing::render(scene, 4, 2, 3, name).develop(Layer::Beauty)));
   };
   const double expected = mean_of("path");
   EXPECT_GT(expected, 0);

@@ -7,13 +7,13 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "renderer/error.h"
+#include "renderer/image/metrics.h"
 #include "tests/renderer/test_scenes.h"
 
 namespace guidelight {
 namespace {
 
 using testing::build;
-using testing::mean_color;
 using testing::render;
 
 void add_constant_light(SceneDescription& scene, Color radiance) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/error.h"
+#include "renderer/image/metrics.h"
 #include "renderer/integrators/photon_mapping/settings.h"
 #include "tests/renderer/test_scenes.h"
 
@@ -37,8 +38,7 @@ Film render(std::shared_ptr<const Scene> scene, const PhotonMappingSettings& set
 
 Color mean_beauty(const SceneDescription& scene, const PhotonMappingSettings& settings,
                   uint32_t passes = 1) {
-  return testing::mean_color(
-      render(testing::build(scene), settings, passes).develop(Layer::Beauty));
+  return mean_color(render(testing::build(scene), settings, passes).develop(Layer::Beauty));
 }
 
 TEST(PhotonMapping, without_a_light_everything_is_black) {

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "renderer/error.h"
+#include "renderer/image/metrics.h"
 #include "renderer/integrators/pixel_history.h"
 #include "tests/renderer/test_scenes.h"
 #include "tests/statistics/hypothesis_tests.h"
@@ -17,7 +18,6 @@ namespace guidelight {
 namespace {
 
 using testing::build;
-using testing::mean_color;
 
 using Settings = std::vector<std::pair<std::string, std::string>>;
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/image/metrics.h"
 #include "tests/renderer/comparison_scenes.h"
 #include "tests/renderer/test_scenes.h"
 #include "tests/statistics/hypothesis_tests.h"
@@ -38,8 +39,7 @@ TEST_P(WholePaths, IntegrateToThePicture) {
   const auto scene = testing::build(GetParam().make());
   Moments expected;
   for (uint64_t seed = 1; seed <= 8; ++seed) {
-    expected.add(
-        luminance(testing::mean_color(testing::render(scene, 8, 2, seed).develop(Layer::Beauty))));
+    expected.add(luminance(mean_color(testing::render(scene, 8, 2, seed).develop(Layer::Beauty))));
   }
   const PathSampler sampler(*scene, {1, 6});
   const Filter filter(scene->camera().film().filter);

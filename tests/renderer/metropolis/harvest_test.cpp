@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/image/metrics.h"
 #include "renderer/metropolis/pilot.h"
 #include "renderer/transport/guide_check.h"
 #include "renderer/transport/guide_mixture.h"
@@ -56,7 +57,7 @@ statistics::Moments means_of_chains(std::shared_ptr<const Scene> scene,
     PassContext context{.seed = seed, .parallel = &parallel};
     context.guides = guides;
     info.create(scene, *settings)->render_pass(0, film, context);
-    means.add(luminance(testing::mean_color(film.develop(Layer::Beauty))));
+    means.add(luminance(mean_color(film.develop(Layer::Beauty))));
   }
   return means;
 }

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "renderer/error.h"
+#include "renderer/image/metrics.h"
 #include "renderer/image/technique_images.h"
 #include "renderer/session/stopwatch.h"
 #include "tests/renderer/test_scenes.h"
@@ -60,7 +61,7 @@ TEST(RenderSession, renders_to_its_pass_target_and_reports_figures) {
       snapshot->rays_per_second * snapshot->seconds / static_cast<double>(snapshot->samples);
   EXPECT_GT(rays_per_path, 3);
   EXPECT_LT(rays_per_path, 50);
-  EXPECT_GT(luminance(testing::mean_color(snapshot->layer(Layer::Beauty))), 0.01f);
+  EXPECT_GT(luminance(mean_color(snapshot->layer(Layer::Beauty))), 0.01f);
 }
 
 TEST(RenderSession, stops_by_time_and_by_error) {
