@@ -56,7 +56,10 @@ class GuideSaverTest : public ::testing::Test {
     return fs::is_regular_file(file_) ? read_guides(file_.string()).front().name : "";
   }
 
-  const fs::path folder_ = fs::path(::testing::TempDir()) / "guidelight_guide_saver_test";
+  // Tests may run beside each other.
+  const fs::path folder_ = fs::path(::testing::TempDir()) /
+                           (std::string("guidelight_guide_saver_") +
+                            ::testing::UnitTest::GetInstance()->current_test_info()->name());
   const fs::path file_ = folder_ / "room.guides.json";
   UiQueue queue_{[] {}};
   Document document_{[] {}};

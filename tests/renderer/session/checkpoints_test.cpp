@@ -43,7 +43,10 @@ class CheckpointsTest : public ::testing::Test {
 
   ~CheckpointsTest() override { std::filesystem::remove(path_); }
 
-  const std::string path_ = ::testing::TempDir() + "guidelight_checkpoints_test.checkpoint";
+  // Tests may run beside each other.
+  const std::string path_ = ::testing::TempDir() + "guidelight_checkpoints_" +
+                            ::testing::UnitTest::GetInstance()->current_test_info()->name() +
+                            ".checkpoint";
 };
 
 TEST_F(CheckpointsTest, hand_the_progress_on) {
