@@ -415,10 +415,23 @@ void Document::undo() {
   const std::string label = edits_.undo_label();
   const GuideList before = guides();
   if (!edits_.undo()) return;
-  apply_settings(edits_.state().settings);
-  find_again(*before);
-  take_guides();
+  take_edits(*before);
   messages_.note("Undid: " + label);
+}
+
+void Document::redo() {
+  const std::string label = edits_.redo_label();
+  const GuideList before = guides();
+  if (!edits_.redo()) return;
+  take_edits(*before);
+  messages_.note("Did again: " + label);
+}
+
+/// Makes the state that undo or redo came to the one that is shown.
+void Document::take_edits(const std::vector<GuidePath>& guides_before) {
+  apply_settings(edits_.state().settings);
+  find_again(guides_before);
+  take_guides();
 }
 
 /// What was selected in another list, in the one of now.
@@ -435,16 +448,6 @@ void Document::find_again(const std::vector<GuidePath>& before) {
   };
   find(guide_view_.selected);
   find(guide_view_.solo);
-}
-
-void Document::redo() {
-  const std::string label = edits_.redo_label();
-  const GuideList before = guides();
-  if (!edits_.redo()) return;
-  apply_settings(edits_.state().settings);
-  find_again(*before);
-  take_guides();
-  messages_.note("Did again: " + label);
 }
 
 // -- The look of the picture.

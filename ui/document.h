@@ -249,6 +249,7 @@ class Document {
   void start(Clock::time_point now);
   void apply_settings(const RenderSettings& settings);
   void take_guides();
+  void take_edits(const std::vector<GuidePath>& guides_before);
   void find_again(const std::vector<GuidePath>& before);
   void follow_guides();
   void update_candidates();

@@ -139,11 +139,7 @@ class BidirectionalSampler::LightSides {
   static double factor(const GuideMixture& mixture, uint32_t guide, const Path& y, int i) {
     const PathPoint& x = y.points[i];
     if (i >= mixture.length(guide)) return y.pdf_from_light(i + 1);
-    const PathEvent event = path_event(x.event);
-    if (mixture.event(guide, i) != event) return 0;
-    const double pdf =
-        event == PathEvent::Scatter ? double{mixture.pdf_direction(guide, i, x.direction)} : 1.0;
-    return pdf * x.arrival_eye;
+    return mixture.pdf_step(guide, i, {x.direction, path_event(x.event)}) * x.arrival_eye;
   }
 
   std::array<double, kLongestPath + 2> densities_;  // as many vertices as a path has, or none

@@ -5,7 +5,6 @@
 
 #include "renderer/error.h"
 #include "renderer/image/technique_images.h"
-#include "renderer/integrators/bidirectional/bidirectional.h"
 #include "renderer/io/guide_file.h"
 
 namespace guidelight {
@@ -88,8 +87,7 @@ void check_techniques(const std::string& path, const std::string& integrator) {
   if (extension(path) != ".exr") {
     throw Error("{}: techniques are layers of an .exr: choose this ending", path);
   }
-  if (std::ranges::none_of(bidirectional_infos(),
-                           [&](const IntegratorInfo& info) { return info.name == integrator; })) {
+  if (!find_integrator(integrator).combines_techniques) {
     throw Error("{}: the integrator '{}' does not combine techniques: choose bdpt or vcm", path,
                 integrator);
   }

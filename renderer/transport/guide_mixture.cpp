@@ -97,23 +97,10 @@ float GuideMixture::pdf_direction(uint32_t guide, int vertex, Vec3 direction) co
   return is_inside ? narrow_cap_pdf(step.one_minus_cos) : 0.0f;
 }
 
-double GuideMixture::pdf_prefix(const Light& light, const SurfacePoint& point, Vec3 ray_origin,
-                                std::span<const GuidedStep> steps) const {
-  double sum = 0;
-  for (uint32_t j = 0; j < guides_.size(); ++j) {
-    if (guides_[j].steps.size() != steps.size()) continue;
-    double pdf = pdf_start(j, light, point, ray_origin, steps[0].direction);
-    for (size_t i = 1; i < steps.size() && pdf > 0; ++i) {
-      const int vertex = static_cast<int>(i);
-      if (event(j, vertex) != steps[i].event) {
-        pdf = 0;
-      } else if (steps[i].event == PathEvent::Scatter) {
-        pdf *= static_cast<double>(pdf_direction(j, vertex, steps[i].direction));
-      }
-    }
-    sum += weight(j) * pdf;
-  }
-  return sum;
+double GuideMixture::pdf_step(uint32_t guide, int vertex, const GuidedStep& step) const {
+  if (event(guide, vertex) != step.event) return 0;
+  return step.event == PathEvent::Scatter ? double{pdf_direction(guide, vertex, step.direction)}
+                                          : 1.0;
 }
 
 /// Projects a uniform point of the disc that touches the light at vertex 0 onto the light.

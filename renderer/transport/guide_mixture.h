@@ -62,10 +62,9 @@ class GuideMixture {
   /// Its density, per solid angle; zero outside the cone.
   float pdf_direction(uint32_t guide, int vertex, Vec3 direction) const;
 
-  /// Density of a whole prefix x0 … xn of n = steps.size() segments as the mixture proposes it:
-  /// Σ_j w_j [guide j has n segments and these events] · Π pdf. Arguments as of pdf_start.
-  double pdf_prefix(const Light& light, const SurfacePoint& point, Vec3 ray_origin,
-                    std::span<const GuidedStep> steps) const;
+  /// Density with which a guide goes on like this from a vertex, 1 ≤ vertex < length: of the
+  /// direction where both scatter, 1 for the same specular event, 0 for another.
+  double pdf_step(uint32_t guide, int vertex, const GuidedStep& step) const;
 
  private:
   struct Step {

@@ -63,14 +63,14 @@ float GuidedWalk::scatter(int i, const Scattering& scattering, const ScatteringS
 
 double GuidedWalk::step_ratio(uint32_t guide, int i, const Scattering& scattering,
                               const ScatteringSample& sample, float survival) const {
-  const GuideMixture& mixture = *emission_.mixture;
-  if (mixture.event(guide, i) != path_event(sample.is_delta() ? sample.lobe : kLobeNone)) return 0;
-  const double ordinary = static_cast<double>(sample.pdf) * survival;
-  if (!sample.is_delta()) return mixture.pdf_direction(guide, i, sample.wi) / ordinary;
-  // Mixtures of materials may refract in two directions, of which guides follow one.
-  const auto followed = scattering.specular(sample.lobe);
-  const bool is_same = followed && length_squared(followed->wi - sample.wi) < 1e-8f;
-  return is_same ? 1 / ordinary : 0.0;
+  const PathEvent event = path_event(sample.is_delta() ? sample.lobe : kLobeNone);
+  const double guided = emission_.mixture->pdf_step(guide, i, {sample.wi, event});
+  if (guided > 0 && sample.is_delta()) {
+    // Mixtures of materials may refract in two directions, of which guides follow one.
+    const auto followed = scattering.specular(sample.lobe);
+    if (!followed || !(length_squared(followed->wi - sample.wi) < 1e-8f)) return 0;
+  }
+  return guided / (static_cast<double>(sample.pdf) * survival);
 }
 
 void GuidedWalk::left_photon(Vec3 position) const {

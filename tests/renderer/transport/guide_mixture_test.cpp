@@ -171,6 +171,19 @@ TEST_P(GuideMixtureTest, DirectionsFillTheirCones) {
 /// Of whole prefixes, where all guides but one have another length or other events.
 TEST_P(GuideMixtureTest, PrefixesMatchLengthAndEvents) {
   const Light& light = *scene_->lights()[0];
+  const auto pdf_prefix = [&](const EmissionSample& sample, std::span<const GuidedStep> steps) {
+    double sum = 0;
+    for (uint32_t j = 0; j < mixture_->size(); ++j) {
+      if (mixture_->length(j) != static_cast<int>(steps.size())) continue;
+      double pdf =
+          mixture_->pdf_start(j, light, sample.point, sample.ray.origin, steps[0].direction);
+      for (size_t i = 1; i < steps.size(); ++i) {
+        pdf *= mixture_->pdf_step(j, static_cast<int>(i), steps[i]);
+      }
+      sum += mixture_->weight(j) * pdf;
+    }
+    return sum;
+  };
   Rng rng(8, 0, 0);
   for (int i = 0; i < 200; ++i) {
     const Vec2 u = rng.next_vec2();
@@ -179,13 +192,13 @@ TEST_P(GuideMixtureTest, PrefixesMatchLengthAndEvents) {
     const EmissionSample& sample = start->emission;
     const Vec3 w = sample.ray.direction;
     const std::vector<GuidedStep> through = {{w}, {w, PathEvent::Refract}, {w, PathEvent::Refract}};
-    const double pdf = mixture_->pdf_prefix(light, sample.point, sample.ray.origin, through);
+    const double pdf = pdf_prefix(sample, through);
     const double expected =
         mixture_->weight(2) * mixture_->pdf_start(2, light, sample.point, sample.ray.origin, w);
     EXPECT_DOUBLE_EQ(pdf, expected);
     const std::vector<GuidedStep> reflected = {
         {w}, {w, PathEvent::Reflect}, {w, PathEvent::Refract}};
-    EXPECT_EQ(mixture_->pdf_prefix(light, sample.point, sample.ray.origin, reflected), 0);
+    EXPECT_EQ(pdf_prefix(sample, reflected), 0);
   }
 }
 
