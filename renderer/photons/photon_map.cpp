@@ -37,6 +37,7 @@ Color PhotonMap::radiance(const PathVertex& vertex, const Scattering& scattering
           ? nearest_on_surface(point, settings, buffer)
           : tree_.nearest(point.position, settings.neighbors, settings.max_distance, buffer);
   Color sum(0.0f);
+  float squares = 0;
   for (const Neighbor& neighbor : neighbors.found) {
     const SurfacePhoton& photon = tree_.items()[neighbor.index];
     const int length = vertex.length + photon.length();
@@ -49,11 +50,15 @@ Color PhotonMap::radiance(const PathVertex& vertex, const Scattering& scattering
     // it. Another's, of a surface that is curved, may be anything down to 0.
     const float cosine = std::abs(glm::dot(wi, photon.normal()));
     if (cosine == 0) continue;
-    sum += value * photon.power() *
-           (kernel_value(settings.kernel, neighbor.distance_squared, neighbors.radius_squared) /
-            cosine);
+    const Color contribution =
+        value * photon.power() *
+        (kernel_value(settings.kernel, neighbor.distance_squared, neighbors.radius_squared) /
+         cosine);
+    sum += contribution;
+    squares += sqr(luminance(contribution));
   }
-  return sum;
+  const bool is_certain = sqr(luminance(sum)) >= settings.min_effective * squares;
+  return is_certain ? sum : Color(0.0f);
 }
 
 Neighbors PhotonMap::nearest_on_surface(const SurfacePoint& point, const EstimateSettings& settings,

@@ -34,6 +34,9 @@ struct EstimateSettings {
   /// If above 1: k photons of the same surface are looked for among so many times k of any. Where
   /// there are fewer, the surface is too small for an estimate, and none is made.
   int oversearch = 1;
+  /// Fewest photons that an estimate may rest on, by (Σx)²/Σx² of what they contribute; where there
+  /// are fewer, none is made. Narrow lobes see few of the photons around.
+  float min_effective = 0;
 };
 
 /// Photons in the order of a kd-tree, and radiance estimates from the k nearest (Jensen 1996,

@@ -15,17 +15,15 @@ guide() {
 rm -f scenes/rooms/scene.guides.json scenes/box/scene.guides.json \
   scenes/keyhole/scene.guides.json scenes/lantern/scene.guides.json
 
-# From the lamps of the dining room through the doorway.
-guide rooms "globe 3, low left"     --disc 0.1  --from=0.816,1.525,-3.862  --to=1.1,0.7,-2.025
-guide rooms "globe 3, low right"    --disc 0.1  --from=0.837,1.528,-3.868  --to=1.7,0.7,-2.025
-guide rooms "globe 3, high"         --disc 0.1  --from=0.829,1.548,-3.855  --to=1.4,1.25,-2.025
-guide rooms "globe 2, left"         --disc 0.1  --from=0.246,1.564,-3.861  --to=1.2,1.45,-2.025
-guide rooms "globe 2, right"        --disc 0.1  --from=0.260,1.549,-3.872  --to=1.75,1.15,-2.025
-guide rooms "globe 1"               --disc 0.1  --from=-0.323,1.56,-3.887  --to=1.95,1.35,-2.025
-guide rooms "far lamp, low"         --disc 0.07 --from=0.4,2.498,-5        --to=1.85,0.6,-2.025
-guide rooms "farther lamp"          --disc 0.07 --from=-0.8,2.498,-5       --to=1.75,1.1,-2.025
-guide rooms "far lamp"              --disc 0.07 --from=0.4,2.498,-5        --to=1.2,1.2,-2.025
-guide rooms "far lamp, right"       --disc 0.07 --from=0.4,2.498,-5        --to=1.6,1,-2.025
+# From the globes over the dining table through the gap of the door. The cones overlap, from all of a globe to all of
+# the gap: what no guide covers is left to few, bright paths.
+for y in 0.3 0.8 1.3 1.8; do
+  guide rooms "globe 3 at $y m" --disc 0.1 --cone 11 --from=0.828,1.57,-3.854 --to=1.395,$y,-1.92
+done
+for y in 0.4 1.05 1.7; do
+  guide rooms "globe 2 at $y m" --disc 0.1 --cone 11 --from=0.251,1.57,-3.864 --to=1.395,$y,-1.92
+  guide rooms "globe 1 at $y m" --disc 0.1 --cone 11 --from=-0.334,1.57,-3.875 --to=1.395,$y,-1.92
+done
 
 # Five for each caustic of the glass ball.
 guide box "ball 1" --disc 0.05 --from=0,1.82,-0.05       --to=0.36,0.33,0.42

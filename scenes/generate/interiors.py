@@ -32,9 +32,9 @@ def room_path(x0, x1, z0, z1):
     return [(x1, 0, z0), (x0, 0, z0), (x0, 0, z1), (x1, 0, z1)]
 
 
-def shell(x0, x1, z0, z1, height, walls):
+def shell(x0, x1, z0, z1, height, walls, boards="oak", above="ceiling"):
     """Floor boards, ceiling, and those of the walls -x, +x, -z, +z that are whole, seen from inside."""
-    parts = f.floor_boards(x0, x1, z0, z1, f"{x0} {z0}")
+    parts = f.floor_boards(x0, x1, z0, z1, f"{x0} {z0}", boards)
     quads = {
         "-x": ((x0, 0, z1), (x0, 0, z0), (x0, height, z0), (x0, height, z1)),
         "+x": ((x1, 0, z0), (x1, 0, z1), (x1, height, z1), (x1, height, z0)),
@@ -47,36 +47,27 @@ def shell(x0, x1, z0, z1, height, walls):
         parts.add(material, wall)
     ceiling = Mesh()
     ceiling.quad((x0, height, z0), (x1, height, z0), (x1, height, z1), (x0, height, z1))
-    parts.add("ceiling", ceiling)
+    parts.add(above, ceiling)
     parts.place(f.cornice(room_path(x0, x1, z0, z1), height))
     return parts
 
 
-def downlight(x, z, height):
-    """A recessed lamp under the ceiling: its metal ring, and the disc that shines."""
-    profile = [(0.07, 0.0), (0.07, -0.012)] + arc((0.078, -0.012), 0.008, 180, 360, 4) + [(0.095, 0)]
-    ring = lathe(profile, 24)
-    disc = lathe([(0, -0.002), (0.07, -0.002)], 24)
-    parts = f.Parts()
-    parts.add("chrome", ring, (x, height, z))
-    parts.add("downlights", disc, (x, height, z))
-    return parts
-
-
 def rooms():
-    """A living room in front; behind a wall of 5 cm with a door, a dining room with nearly all lamps."""
+    """A living room in front; behind a wall of 5 cm a dark dining room with all lamps but one. The double
+    door between them stands ajar, by the angle of its left leaf: a hand's breadth of light."""
     left, right, front, wall, top = -2.6, 2.6, 2.3, -2.0, 2.5
     thick, far = 0.05, -5.6
-    door_x, door_w, door_h = 1.4, 1.3, 2.08
+    door_x, door_w, door_h, ajar = 1.4, 1.3, 2.08, 10
     behind = wall - thick
     parts = shell(left, right, wall, front, top, {"-x": "plaster", "+x": "plaster", "+z": "plaster"})
-    parts.place(shell(left, right, far, behind, top, {"-x": "olive", "+x": "olive", "-z": "olive"}))
+    parts.place(shell(left, right, far, behind, top, {side: "olive" for side in ("-x", "+x", "-z")},
+                      "walnut", "olive"))
     parts.place(f.wall_with_door(left - door_x, right - door_x, top, door_w, door_h, thick,
                                  "plaster", "olive"), (door_x, 0, wall - 0.5 * thick))
     a, b = door_x - 0.5 * door_w, door_x + 0.5 * door_w
-    leaf = f.door(0.5 * door_w - 0.016, door_h - 0.022)
-    parts.place(leaf, (b - 0.012, 0.006, behind - 0.024), -86)
-    parts.place(leaf, (a + 0.012, 0.006, behind - 0.024), 180 + 86)
+    leaf = f.door(0.5 * door_w - 0.005, door_h - 0.01, paint="walnut")
+    parts.place(leaf, (b - 0.003, 0.006, wall + 0.024))
+    parts.place(leaf, (a + 0.003, 0.006, wall + 0.024), 180 - ajar)
     casing = 0.075
     parts.place(f.skirting([(a - casing, 0, wall), (left, 0, wall), (left, 0, front), (right, 0, front),
                             (right, 0, wall), (b + casing, 0, wall)]))
@@ -100,7 +91,7 @@ def rooms():
     parts.place(f.picture(0.9, 0.64, "valley", "brass"), (right, 1.55, -0.5), -90)
 
     # The dining room.
-    parts.place(f.table(1.9, 0.95, 0.75, 6), (0.2, 0, -3.95))
+    parts.place(f.table(1.9, 0.95, 0.75, 6, "walnut"), (0.2, 0, -3.95))
     for x in (-0.3, 0.65):
         parts.place(f.chair(), (x, 0, -4.55))
         parts.place(f.chair(), (x, 0, -3.32), 180)
@@ -109,9 +100,6 @@ def rooms():
     parts.place(f.vase(0.34), (1.0, 0.75, -4.0))
     parts.place(f.picture(1.3, 0.9, "hills"), (1.75, 1.5, far))
     parts.place(f.bookcase(1.2, 0.95, 0.36, 2, 90, "walnut"), (-1.6, 0, far + 0.2))
-    for x in (-2.0, -0.8, 0.4):
-        for z in (-2.7, -5.0):
-            parts.place(downlight(x, z, top))
     for x in (-0.4, 0.2, 0.8):
         parts.add("brass", lathe([(0.005, 1.72), (0.005, top)], 10), (x, 0, -3.95))
         cap = lathe([(0.03, 1.66), (0.03, 1.69), (0.012, 1.72), (0.005, 1.73)], 20)

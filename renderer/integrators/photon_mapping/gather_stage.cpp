@@ -45,11 +45,11 @@ void GatherStage::escaped(uint32_t index, Subpath& path) {
   for (const Light* light : setup_.scene.infinite_lights()) {
     const Color radiance = light->radiance_from(towards);
     if (is_black(radiance)) continue;
-    const float pdf_direct =
+    const float direct =
         path.is_connectible && path.length > 0
             ? light->pdf_direct_from(towards) * setup_.scene.light_probability(*light)
             : 0.0f;
-    add(index, length, path.throughput * radiance * (path.pdf / (path.pdf + pdf_direct)));
+    add(index, length, path.throughput * radiance * hit_weight(path.pdf, direct));
   }
 }
 
@@ -60,15 +60,12 @@ bool GatherStage::visit(uint32_t index, Subpath& path, const PathVertex& vertex,
   if (length == 1) record_first_hit(samples_[index], vertex.point, vertex.hit.t);
   if (vertex.point.light && setup_.is_shown(length)) {
     const Light& light = *vertex.point.light;
-    // Sharp scattering of a finite density shares direct light with add_direct by the balance
-    // heuristic.
-    const float pdf_direct =
+    const float direct =
         path.is_connectible && length > 1
             ? light.pdf_direct(path.origin, vertex.point) * setup_.scene.light_probability(light)
             : 0.0f;
     add(index, length,
-        vertex.throughput * light.radiance(vertex.point, vertex.wo) *
-            (path.pdf / (path.pdf + pdf_direct)));
+        vertex.throughput * light.radiance(vertex.point, vertex.wo) * hit_weight(path.pdf, direct));
   }
   if (length >= setup_.global.max_length) return false;
   if (vertex.is_connectible()) {
@@ -83,16 +80,25 @@ bool GatherStage::visit(uint32_t index, Subpath& path, const PathVertex& vertex,
   return SharpScattering::is_possible(*vertex.point.bsdf);
 }
 
+float GatherStage::hit_weight(float pdf, float pdf_direct) const {
+  return pdf / (pdf + static_cast<float>(setup_.settings.light_samples) * pdf_direct);
+}
+
 void GatherStage::add_direct(uint32_t index, const PathVertex& vertex, const Scattering& scattering,
                              Rng& rng) {
-  const float u_light = rng.next_float();
-  const auto direct = connect_to_light(setup_.scene, vertex, scattering, u_light, rng.next_vec2());
-  if (!direct) return;
-  const Vec3 wi = glm::normalize(direct->shadow_ray.direction);
-  const bool is_sharp = setup_.global.sharp(vertex, scattering, wi);
-  const float weight = is_sharp ? 1 / (1 + direct->hit_ratio) : 1.0f;
-  shadow_rays_.push_back(direct->shadow_ray);
-  pending_.push_back({index, vertex.length + 1, direct->contribution * weight});
+  const auto count = static_cast<float>(setup_.settings.light_samples);
+  for (int i = 0; i < setup_.settings.light_samples; ++i) {
+    // Stratified over the lights.
+    const float u_light = (static_cast<float>(i) + rng.next_float()) / count;
+    const auto direct = connect_to_light(setup_.scene, vertex, scattering,
+                                         std::min(u_light, kOneMinusEpsilon), rng.next_vec2());
+    if (!direct) continue;
+    const Vec3 wi = glm::normalize(direct->shadow_ray.direction);
+    const bool is_sharp = setup_.global.sharp(vertex, scattering, wi);
+    const float weight = is_sharp ? 1 / (count + direct->hit_ratio) : 1 / count;
+    shadow_rays_.push_back(direct->shadow_ray);
+    pending_.push_back({index, vertex.length + 1, direct->contribution * weight});
+  }
 }
 
 void GatherStage::add_caustic(uint32_t index, const PathVertex& vertex,

@@ -73,6 +73,8 @@ ImportanceMaps::ImportanceMaps(const PhotonMappingPass& setup, const Settings& s
   // there, and the search for k neighbours is quick where hardly any particles are.
   estimate_.kernel = Kernel::Constant;
   estimate_.oversearch = 4;
+  // The weights of chains and light paths divide by an estimate, and must not by a guess.
+  estimate_.min_effective = 0.2f * static_cast<float>(settings.neighbors);
   constexpr size_t kPathsPerTask = 1024;
   std::vector<PassPhotons> parts((settings.paths + kPathsPerTask - 1) / kPathsPerTask);
   parallel.for_each(parts.size(), [&](size_t task) {

@@ -29,6 +29,9 @@ std::vector<Parameter> PhotonMappingSettings::parameters() {
        &alpha, 0.01, 1},
       {"gather_rays", "Gather rays", "Rays per point where indirect light is gathered.", "",
        &gather_rays, 1, 10000, true},
+      {"light_samples", "Light samples",
+       "Points on lights per vertex of a camera path: direct light costs little beside the gather.",
+       "", &light_samples, 1, 1000, true},
       {"sharpness", "Sharp scattering",
        "Scattering of a higher density is followed like a mirror's, any other estimated from "
        "photons.",
