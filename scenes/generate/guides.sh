@@ -17,12 +17,9 @@ rm -f scenes/rooms/scene.guides.json scenes/box/scene.guides.json \
 
 # From the globes over the dining table through the gap of the door. The cones overlap, from all of a globe to all of
 # the gap: what no guide covers is left to few, bright paths.
-for y in 0.3 0.8 1.3 1.8; do
-  guide rooms "globe 3 at $y m" --disc 0.1 --cone 11 --from=0.828,1.57,-3.854 --to=1.395,$y,-1.92
-done
-for y in 0.4 1.05 1.7; do
-  guide rooms "globe 2 at $y m" --disc 0.1 --cone 11 --from=0.251,1.57,-3.864 --to=1.395,$y,-1.92
-  guide rooms "globe 1 at $y m" --disc 0.1 --cone 11 --from=-0.334,1.57,-3.875 --to=1.395,$y,-1.92
+for y in 0.2 0.62 1.04 1.46 1.88; do
+  guide rooms "near globe, $y m" --disc 0.1 --cone 7.5 --from=0.828,1.57,-3.854 --to=1.395,$y,-1.92
+  guide rooms "far globe, $y m" --disc 0.1 --cone 6.5 --from=0.251,1.57,-3.864 --to=1.395,$y,-1.92
 done
 
 # Five for each caustic of the glass ball.

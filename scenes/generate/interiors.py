@@ -100,7 +100,7 @@ def rooms():
     parts.place(f.vase(0.34), (1.0, 0.75, -4.0))
     parts.place(f.picture(1.3, 0.9, "hills"), (1.75, 1.5, far))
     parts.place(f.bookcase(1.2, 0.95, 0.36, 2, 90, "walnut"), (-1.6, 0, far + 0.2))
-    for x in (-0.4, 0.2, 0.8):
+    for x in (0.2, 0.8):
         parts.add("brass", lathe([(0.005, 1.72), (0.005, top)], 10), (x, 0, -3.95))
         cap = lathe([(0.03, 1.66), (0.03, 1.69), (0.012, 1.72), (0.005, 1.73)], 20)
         parts.add("brass", cap, (x, 0, -3.95))

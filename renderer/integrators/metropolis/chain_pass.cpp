@@ -40,6 +40,9 @@ std::vector<Parameter> ChainSettings::parameters() {
        "Emitters and direct light are path traced, which is quicker where they are easy; not with "
        "a shortest path.",
        "", &separate_direct},
+      {"direct_samples", "Direct light samples",
+       "Samples of the path traced part, which costs little beside the mutations.",
+       "per pixel and pass", &direct_samples, 1, 1000, true},
       {"mutations", "Mutations", "Mutations per pixel and pass.", "per pixel", &mutations, 0.1,
        1000, true},
       {"chains", "Chains", "Independent chains, which share the mutations.", "", &chains, 1, 4096,
@@ -65,7 +68,10 @@ uint64_t ChainPass::steps_per_chain(const Film& film) const {
 
 bool ChainPass::prepare(uint32_t pass, Film& film, const PassContext& context) {
   film.prepare_splats();
-  if (direct_) direct_->render_pass(pass, film, context);
+  for (int i = 0; direct_ && i < settings_.direct_samples; ++i) {
+    const auto samples = static_cast<uint32_t>(settings_.direct_samples);
+    direct_->render_pass(pass * samples + static_cast<uint32_t>(i), film, context);
+  }
   if (lengths_.min > lengths_.max) return false;
   const uint64_t half = steps_per_chain(film) * settings_.chains / 2;
   const auto seeds = std::min<uint64_t>(settings_.seed_paths, std::max<uint64_t>(half, 1));

@@ -11,7 +11,8 @@ struct ChainSettings : IntegratorSettings {
   int max_length = 12;
   int min_length = 1;
   bool separate_direct = true;
-  float mutations = 4;  // per pixel and pass
+  int direct_samples = 4;  // per pixel and pass
+  float mutations = 4;     // per pixel and pass
   int chains = 64;
   int seed_paths = 40000;  // per pass
 
