@@ -37,17 +37,17 @@ IrradianceCache::IrradianceCache(const Bounds& bounds, const Settings& settings)
 }
 
 void IrradianceCache::limit(IrradianceRecord& record) const {
-  // No farther than where the gradient alone would double or extinguish the irradiance.
+  record.distance = std::clamp(record.distance, settings_.min_distance, settings_.max_distance);
+  // The gradient alone must not double or extinguish the irradiance within R. It is the gradient
+  // that gives way, not R: both come from few rays, and records that happen to be bright have steep
+  // gradients. Were these to reach less far, the dark ones beside them would rule, and light from
+  // small bright places would be lost.
   Vec3 gradient(0.0f);
   for (int c = 0; c < 3; ++c) gradient += record.translational[c] / 3.0f;
   const float mean = (record.irradiance.r + record.irradiance.g + record.irradiance.b) / 3;
-  const float slope = glm::length(gradient);
-  float distance = record.distance;
-  if (slope * distance > mean) distance = mean / slope;
-  record.distance = std::clamp(distance, settings_.min_distance, settings_.max_distance);
-  // Where the record serves farther than it should, its gradient must not reach farther with it.
-  if (distance < record.distance) {
-    for (Vec3& g : record.translational) g *= distance / record.distance;
+  const float change = glm::length(gradient) * record.distance;
+  if (change > mean) {
+    for (Vec3& g : record.translational) g *= mean / change;
   }
 }
 
