@@ -8,8 +8,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr uint32_t kErrorStripe = 0xe5534b;
-
 /// Whether a colour is that of the present render's curves, give or take the smoothing of edges.
 bool is_curve(uint32_t color) {
   constexpr int kCurve[] = {0xe8, 0xa8, 0x4c};

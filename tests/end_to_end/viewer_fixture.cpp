@@ -18,8 +18,8 @@ constexpr double kBackdrop = 24;  // grey around the picture
 void ViewerTest::SetUp() {
   display_ = VirtualDisplay::start(1280, 720);
   if (!display_) GTEST_SKIP() << "window tests need Xvfb (Debian package xvfb)";
-  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  folder_ = fs::path(testing::TempDir()) /
+  const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+  folder_ = fs::path(::testing::TempDir()) /
             ("guidelight_" + std::string(info->name()) + "_" + std::to_string(getpid()));
   fs::remove_all(folder_);
   fs::create_directories(folder_);

@@ -10,9 +10,15 @@
 
 namespace guidelight {
 
+/// The colour of an error's stripe, which nothing else has.
+inline constexpr uint32_t kErrorStripe = 0xe5534b;
+
+/// Block means that differ less than this are the same view with other noise.
+inline constexpr double kNoise = 3;
+
 /// The real program in a real window on a display of its own, 1280×720, with a folder of its own to
 /// write to. Tests are skipped without Xvfb.
-class ViewerTest : public testing::Test {
+class ViewerTest : public ::testing::Test {
  protected:
   // Where the view lies between the panels.
   static constexpr Point kViewCorner{309, 27};

@@ -12,12 +12,8 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-// Colours of the interface that nothing else has.
-constexpr uint32_t kErrorStripe = 0xe5534b;
+// A colour of the interface that nothing else has.
 constexpr uint32_t kNoteStripe = 0x76aa82;
-
-// Block means that differ less than this are the same view with other noise.
-constexpr double kNoise = 3;
 
 double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();

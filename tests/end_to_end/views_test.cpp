@@ -7,8 +7,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr double kNoise = 3;
-
 class ViewsTest : public ViewerTest {
  protected:
   void press_and_settle(const char* key) {

@@ -12,6 +12,9 @@ namespace guidelight::statistics {
 /// with probability `family_level` (Šidák 1967).
 double sidak_level(double family_level, size_t tests);
 
+/// How often a family of tests may raise a false alarm.
+inline constexpr double kFalseAlarms = 1e-3;
+
 struct ChiSquare {
   double statistic = 0;
   size_t degrees_of_freedom = 0;

@@ -8,7 +8,7 @@
 namespace guidelight {
 namespace {
 
-using testing::ElementsAre;
+using ::testing::ElementsAre;
 
 TEST(ProposalTable, IsSortedByAnyColumnUpwardsAndDownwards) {
   const std::vector<ProposalRow> rows = {{"door", {"", 0.2, 0.5, 0.1}},

@@ -13,13 +13,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class RecentFilesTest : public testing::Test {
+class RecentFilesTest : public ::testing::Test {
  protected:
   void SetUp() override { fs::create_directories(folder_); }
   void TearDown() override { fs::remove_all(folder_); }
 
   const fs::path folder_ =
-      fs::path(testing::TempDir()) / ("recent_files_" + std::to_string(getpid()));
+      fs::path(::testing::TempDir()) / ("recent_files_" + std::to_string(getpid()));
   const std::string list_ = (folder_ / "state" / "recent").string();
 };
 

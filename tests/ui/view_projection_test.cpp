@@ -20,7 +20,7 @@ Camera turned_camera(CameraModel model, bool mirrored) {
   return Camera(description, film);
 }
 
-class AllCameras : public testing::TestWithParam<std::tuple<CameraModel, bool>> {
+class AllCameras : public ::testing::TestWithParam<std::tuple<CameraModel, bool>> {
  protected:
   const Camera camera =
       turned_camera(std::get<CameraModel>(GetParam()), std::get<bool>(GetParam()));
@@ -78,9 +78,9 @@ TEST_P(AllCameras, LinesEndAtTheEye) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, AllCameras,
-                         testing::Combine(testing::Values(CameraModel::Perspective,
-                                                          CameraModel::Orthographic),
-                                          testing::Bool()));
+                         ::testing::Combine(::testing::Values(CameraModel::Perspective,
+                                                              CameraModel::Orthographic),
+                                            ::testing::Bool()));
 
 }  // namespace
 }  // namespace guidelight

@@ -71,7 +71,9 @@ std::shared_ptr<const Mesh> Importer::mesh(Properties& p) {
                     : read_mesh_file(path, node.type == "obj" ? MeshFormat::Obj : MeshFormat::Ply);
     face_normals = face_normals || flat_by_file;
     if (flip) flip_v(read);
-    if (encoded) std::ranges::transform(read.colors, read.colors.begin(), srgb_to_linear);
+    if (encoded) {
+      for (Color& color : read.colors) color = srgb_to_linear(color);
+    }
     if (face_normals) {
       read.normals.clear();
     } else if (max_angle > 0) {

@@ -15,8 +15,7 @@ using statistics::Moments;
 using testing::ComparisonScene;
 using testing::Method;
 
-const testing::Runs kRuns{.count = 10, .first_seed = 1000, .block = 32};
-constexpr double kFalseAlarms = 1e-3;
+const testing::Runs kAgreementRuns{.count = 10, .first_seed = 1000, .block = 32};
 
 /// Methods without bias, and those whose radius is so small that their bias is far below the noise.
 std::vector<Method> methods(const ComparisonScene& scene) {
@@ -54,11 +53,12 @@ class Agreement : public ::testing::TestWithParam<ComparisonScene> {
 
 void Agreement::compare_with_path_tracer(const std::vector<Method>& tried, double bias) {
   const auto scene = testing::build(GetParam().make());
-  const std::vector<Moments> expected = measure(scene, {"path", "", 32}, kRuns);
-  const double level = statistics::sidak_level(
-      kFalseAlarms, testing::comparison_scenes().size() * tried.size() * expected.size());
+  const std::vector<Moments> expected = measure(scene, {"path", "", 32}, kAgreementRuns);
+  const double level =
+      statistics::sidak_level(statistics::kFalseAlarms,
+                              testing::comparison_scenes().size() * tried.size() * expected.size());
   for (const Method& method : tried) {
-    const std::vector<Moments> found = measure(scene, method, kRuns);
+    const std::vector<Moments> found = measure(scene, method, kAgreementRuns);
     for (size_t i = 0; i < found.size(); ++i) {
       EXPECT_GT(statistics::welch_test(found[i], expected[i], bias * expected[i].mean()), level)
           << method.name << " " << method.parameters << ", block " << i << ": "

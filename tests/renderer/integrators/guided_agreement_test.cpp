@@ -15,8 +15,7 @@ using guide_test::LitScene;
 using statistics::Moments;
 using testing::Method;
 
-constexpr int kSide = 32;
-constexpr double kFalseAlarms = 1e-3;
+constexpr int kGuidedSide = 32;
 
 /// With small radii, where the bias is the same with and without guides up to the noise; SPPM and
 /// photon mapping adapt them to the photons found, so they are small there in particular.
@@ -42,7 +41,7 @@ std::vector<Moments> measure_guided(std::shared_ptr<const Scene> scene, const Me
                                     std::vector<std::shared_ptr<const GuideMixture>> guides) {
   return testing::measure(
       std::move(scene), method,
-      {.count = 12, .first_seed = 100, .block = kSide / 2, .guides = std::move(guides)});
+      {.count = 12, .first_seed = 100, .block = kGuidedSide / 2, .guides = std::move(guides)});
 }
 
 class GuidedAgreement : public ::testing::TestWithParam<Method> {};
@@ -52,7 +51,7 @@ TEST_P(GuidedAgreement, WithoutGuides) {
   const Method& method = GetParam();
   for (const size_t light : {size_t{1}, size_t{3}, size_t{8}}) {  // sphere, point, environment
     const LitScene& lit = guide_test::lit_scenes()[light];
-    SceneDescription description = lit.describe(kSide);
+    SceneDescription description = lit.describe(kGuidedSide);
     description.hints.max_depth = 5;
     const auto scene = testing::build(description);
     const auto useful = guide_test::guides_for(*scene, lit);
@@ -69,7 +68,7 @@ TEST_P(GuidedAgreement, WithoutGuides) {
                  {"changing", {mixture(useful), nullptr, mixture(hundred)}}};
     const std::vector<Moments> expected = measure_guided(scene, method, {nullptr});
     const double level = statistics::sidak_level(
-        kFalseAlarms, methods().size() * kLights * tried.size() * expected.size());
+        statistics::kFalseAlarms, methods().size() * kLights * tried.size() * expected.size());
     for (const auto& [name, mixtures] : tried) {
       const std::vector<Moments> found = measure_guided(scene, method, mixtures);
       for (size_t i = 0; i < found.size(); ++i) {

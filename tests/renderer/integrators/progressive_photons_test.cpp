@@ -217,7 +217,7 @@ TEST_P(ProgressivePhotons, error_falls_with_passes) {
 // -- Specular, diffuse, specular.
 
 /// A diffuse ball inside a ball of glass, under one light.
-SceneDescription ball_in_glass() {
+SceneDescription ball_in_larger_glass() {
   SceneDescription scene = testing::empty_scene();
   testing::add_sphere(scene, Vec3(0), 0.5f, testing::add_diffuse(scene, Color(0.8f)));
   scene.bsdfs.push_back({"glass", 0, DielectricBsdf{}});
@@ -228,7 +228,7 @@ SceneDescription ball_in_glass() {
 }
 
 TEST_P(ProgressivePhotons, point_light_is_seen_through_glass) {
-  SceneDescription description = ball_in_glass();
+  SceneDescription description = ball_in_larger_glass();
   description.emitters.push_back({"bulb", 0, PointEmitter{{2, 2, 4}, Color(10)}});
   const auto scene = build(description);
   EXPECT_EQ(mean_color(render(scene, "path", {}, 16).develop(Layer::Beauty)), Color(0));
@@ -238,7 +238,7 @@ TEST_P(ProgressivePhotons, point_light_is_seen_through_glass) {
 }
 
 TEST_P(ProgressivePhotons, small_lamp_through_glass_agrees_with_the_path_tracer) {
-  SceneDescription description = ball_in_glass();
+  SceneDescription description = ball_in_larger_glass();
   testing::add_sphere(description, {2, 2, 4}, 0.7f, testing::add_diffuse(description, Color(0)))
       .radiance = ColorInput{Color(10)};
   const auto scene = build(description);

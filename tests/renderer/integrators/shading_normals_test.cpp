@@ -12,7 +12,7 @@
 namespace guidelight {
 namespace {
 
-constexpr int kSide = 48;
+constexpr int kFacetSide = 48;
 
 /// A unit sphere of few facets, with the normals of a round one at its vertices.
 std::shared_ptr<const Mesh> faceted_sphere(int columns, int rows) {
@@ -42,7 +42,7 @@ std::shared_ptr<const Mesh> faceted_sphere(int columns, int rows) {
 
 /// The ball on a floor beside a lamp.
 std::shared_ptr<const Scene> ball_beside_lamp() {
-  SceneDescription scene = testing::empty_scene(kSide, kSide);
+  SceneDescription scene = testing::empty_scene(kFacetSide, kFacetSide);
   const int white = testing::add_diffuse(scene, Color(0.7f));
   ShapeDescription ball;
   ball.name = "ball";
@@ -62,7 +62,7 @@ Image render(const std::shared_ptr<const Scene>& scene, const std::string& name,
              const std::vector<std::pair<std::string, std::string>>& values) {
   const auto settings = find_integrator(name).make_settings(scene->description().hints);
   for (const auto& [key, value] : values) set_parameter(*settings, key, value);
-  Film film(kSide, kSide, scene->camera().film().filter);
+  Film film(kFacetSide, kFacetSide, scene->camera().film().filter);
   const auto integrator = find_integrator(name).create(scene, *settings);
   Parallel parallel(2);
   for (uint32_t pass = 0; pass < passes; ++pass) {
@@ -73,8 +73,8 @@ Image render(const std::shared_ptr<const Scene>& scene, const std::string& name,
 
 double brightest(const Image& picture) {
   double result = 0;
-  for (int y = 0; y < kSide; ++y) {
-    for (int x = 0; x < kSide; ++x) {
+  for (int y = 0; y < kFacetSide; ++y) {
+    for (int x = 0; x < kFacetSide; ++x) {
       result = std::max<double>(result, luminance(picture.color(x, y)));
     }
   }

@@ -57,8 +57,8 @@ TEST(AtomicFile, AMissingFolderIsNamed) {
     write_file_atomically("/no/such/folder/a.txt", "x");
     FAIL() << "no error";
   } catch (const Error& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("/no/such/folder/a.txt"));
-    EXPECT_THAT(error.what(), testing::HasSubstr("No such file or directory"));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("/no/such/folder/a.txt"));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("No such file or directory"));
   }
 }
 

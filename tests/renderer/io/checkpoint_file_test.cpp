@@ -33,7 +33,7 @@ TEST(CheckpointFile, ImpossibleFiltersAreErrors) {
       read_checkpoint(path);
       ADD_FAILURE() << to << " was accepted";
     } catch (const Error& error) {
-      EXPECT_THAT(error.what(), testing::HasSubstr("a filter of kind"));
+      EXPECT_THAT(error.what(), ::testing::HasSubstr("a filter of kind"));
     }
   }
 }

@@ -9,10 +9,10 @@
 namespace guidelight::test {
 namespace {
 
-using testing::HasSubstr;
-using testing::IsEmpty;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
-SceneDescription read(const std::string& bytes) {
+SceneDescription read_sample(const std::string& bytes) {
   const TemporaryFolder folder;
   folder.write("map one.png", sample_png());
   return read_scene(folder.write("scene.gltf", bytes));
@@ -31,7 +31,7 @@ SceneDescription with_material(const std::string& material, const std::string& t
   const std::string start = "{\"name\":\"m\"";
   std::string gltf = sample_gltf();
   const size_t at = gltf.find(start), end = gltf.find("\"accessors\"");
-  return read(gltf.replace(at, end - at, material + "],\n" + top_level));
+  return read_sample(gltf.replace(at, end - at, material + "],\n" + top_level));
 }
 
 template <typename Model>
@@ -39,9 +39,9 @@ const Model& bsdf(const SceneDescription& scene, int index) {
   return std::get<Model>(scene.bsdfs.at(static_cast<size_t>(index)).model);
 }
 
-std::string error_of(const std::string& bytes) {
+std::string gltf_error(const std::string& bytes) {
   try {
-    read(bytes);
+    read_sample(bytes);
     return "";
   } catch (const Error& error) {
     return error.what();
@@ -50,7 +50,7 @@ std::string error_of(const std::string& bytes) {
 
 TEST(Gltf, TextAndBinarySayTheSame) {
   for (const std::string& bytes : {sample_gltf(), sample_glb()}) {
-    const SceneDescription scene = read(bytes);
+    const SceneDescription scene = read_sample(bytes);
     EXPECT_THAT(scene.warnings, IsEmpty());
     ASSERT_EQ(scene.shapes.size(), 1u);
     const ShapeDescription& shape = scene.shapes[0];
@@ -66,13 +66,13 @@ TEST(Gltf, TextAndBinarySayTheSame) {
 
 TEST(Gltf, NodesScaledToNothingAreLeftOutUnlessFlat) {
   const auto scaled = [](const std::string& scale) {
-    return read(changed(
+    return read_sample(changed(
         R"("children":[1]},{"camera":0}])",
         R"("children":[1,2]},{"camera":0},{"mesh":0,"name":"thin","scale":)" + scale + "}]"));
   };
   const SceneDescription without = scaled("[0,1,1]");
   EXPECT_EQ(without.shapes.size(), 1u);
-  EXPECT_THAT(without.warnings, testing::ElementsAre(HasSubstr("'thin' is scaled to nothing")));
+  EXPECT_THAT(without.warnings, ::testing::ElementsAre(HasSubstr("'thin' is scaled to nothing")));
   const SceneDescription flat = scaled("[2,1,0]");  // the triangle lies in z = 0
   EXPECT_THAT(flat.warnings, IsEmpty());
   ASSERT_EQ(flat.shapes.size(), 2u);
@@ -81,7 +81,7 @@ TEST(Gltf, NodesScaledToNothingAreLeftOutUnlessFlat) {
 }
 
 TEST(Gltf, MetallicRoughnessIsATwoSidedBlend) {
-  const SceneDescription scene = read(sample_gltf());
+  const SceneDescription scene = read_sample(sample_gltf());
   const auto& sides = bsdf<TwoSidedBsdf>(scene, scene.shapes[0].bsdf);
   const auto& blend = bsdf<BlendBsdf>(scene, sides.front);
   EXPECT_FLOAT_EQ(blend.weight.value, 0.25f);
@@ -93,20 +93,21 @@ TEST(Gltf, MetallicRoughnessIsATwoSidedBlend) {
 }
 
 TEST(Gltf, CamerasLookAlongMinusZ) {
-  const CameraDescription camera = read(sample_gltf()).camera;
+  const CameraDescription camera = read_sample(sample_gltf()).camera;
   EXPECT_EQ(camera.fov_axis, FovAxis::Y);
   EXPECT_NEAR(camera.fov, 0.8f * 180 / kPi, 1e-4f);
   EXPECT_EQ(Vec3(camera.to_world[2]), Vec3(0, 0, -1));
   EXPECT_EQ(Vec3(camera.to_world[0]), Vec3(-1, 0, 0));
   EXPECT_EQ(Vec3(camera.to_world[3]), Vec3(1, 2, 3)) << "a child of the moved node";
-  EXPECT_EQ(read(sample_gltf()).film.width, 1080);
+  EXPECT_EQ(read_sample(sample_gltf()).film.width, 1080);
 }
 
 TEST(Gltf, WithoutCameraAndLightBothStandIn) {
   std::string gltf = changed(R"({"camera":0})", "{}");
   gltf.replace(gltf.find("[1,1,1]"), 7, "[0,0,0]");
-  const SceneDescription scene = read(gltf);
-  EXPECT_THAT(scene.warnings, testing::ElementsAre(HasSubstr("no camera"), HasSubstr("no light")));
+  const SceneDescription scene = read_sample(gltf);
+  EXPECT_THAT(scene.warnings,
+              ::testing::ElementsAre(HasSubstr("no camera"), HasSubstr("no light")));
   EXPECT_TRUE(std::holds_alternative<ConstantEmitter>(scene.emitters.at(0).model));
 }
 
@@ -140,11 +141,12 @@ TEST(Gltf, TexturesOfSpecularReflectionAreReported) {
         .warnings;
   };
   const std::string message = "textures of 'KHR_materials_specular'";
-  EXPECT_THAT(warnings(R"("specularTexture":{"index":0})"), testing::Contains(HasSubstr(message)));
+  EXPECT_THAT(warnings(R"("specularTexture":{"index":0})"),
+              ::testing::Contains(HasSubstr(message)));
   EXPECT_THAT(warnings(R"("specularColorTexture":{"index":0})"),
-              testing::Contains(HasSubstr(message)));
+              ::testing::Contains(HasSubstr(message)));
   EXPECT_THAT(warnings(R"("specularFactor":0.5)"),
-              testing::Not(testing::Contains(HasSubstr(message))));
+              ::testing::Not(::testing::Contains(HasSubstr(message))));
 }
 
 TEST(Gltf, TextureRotationIsCounterClockwiseInThePicture) {
@@ -195,16 +197,16 @@ TEST(Gltf, PunctualLights) {
               R"("translation":[1,2,3],"extensions":{"KHR_lights_punctual":{"light":0}})");
   gltf.insert(1, R"("extensions":{"KHR_lights_punctual":{"lights":[{"type":"spot","intensity":2,
     "color":[1,0.5,0],"spot":{"innerConeAngle":0.1,"outerConeAngle":0.3}}]}},)");
-  const SceneDescription spot_scene = read(gltf);
+  const SceneDescription spot_scene = read_sample(gltf);
   const auto& spot = std::get<SpotEmitter>(spot_scene.emitters.at(0).model);
   EXPECT_EQ(spot.intensity, Color(2, 1, 0));
   EXPECT_EQ(Vec3(spot.to_world[2]), Vec3(0, 0, -1));
   EXPECT_FLOAT_EQ(spot.beam_width, 0.1f);
   gltf.replace(gltf.find("\"spot\""), 6, "\"point\"");
-  const SceneDescription point_scene = read(gltf);
+  const SceneDescription point_scene = read_sample(gltf);
   EXPECT_EQ(std::get<PointEmitter>(point_scene.emitters.at(0).model).position, Vec3(1, 2, 3));
   gltf.replace(gltf.find("\"point\""), 7, "\"directional\"");
-  const SceneDescription sun_scene = read(gltf);
+  const SceneDescription sun_scene = read_sample(gltf);
   EXPECT_EQ(std::get<DirectionalEmitter>(sun_scene.emitters.at(0).model).direction, Vec3(0, 0, -1));
 }
 
@@ -240,16 +242,17 @@ TEST(Gltf, PrimitivesKeepOnlyTheVerticesTheyUse) {
 }
 
 TEST(Gltf, DamageIsNamed) {
-  EXPECT_THAT(error_of("{\"asset\":\n\n oops"), HasSubstr("line 3"));
-  EXPECT_THAT(error_of(changed("\"2.0\"", "\"1.0\"")), HasSubstr("version '1.0'"));
-  EXPECT_THAT(error_of(changed("\"POSITION\":0", "\"POSITION\":9")), HasSubstr("accessors[9]"));
-  EXPECT_THAT(error_of(changed("\"count\":3", "\"count\":3000000000")), HasSubstr("3000000000"));
-  EXPECT_THAT(error_of(changed("\"byteLength\":36", "\"byteLength\":99")),
+  EXPECT_THAT(gltf_error("{\"asset\":\n\n oops"), HasSubstr("line 3"));
+  EXPECT_THAT(gltf_error(changed("\"2.0\"", "\"1.0\"")), HasSubstr("version '1.0'"));
+  EXPECT_THAT(gltf_error(changed("\"POSITION\":0", "\"POSITION\":9")), HasSubstr("accessors[9]"));
+  EXPECT_THAT(gltf_error(changed("\"count\":3", "\"count\":3000000000")), HasSubstr("3000000000"));
+  EXPECT_THAT(gltf_error(changed("\"byteLength\":36", "\"byteLength\":99")),
               HasSubstr("leaves its buffer"));
-  EXPECT_THAT(error_of(changed("\"children\":[1]", "\"children\":[0]")), HasSubstr("two parents"));
-  EXPECT_THAT(error_of(changed("[1,2,3]", "[1,2,1e99]")), HasSubstr("finite"));
-  EXPECT_THAT(error_of(changed("data:application", "missing:file")), HasSubstr("no such file"));
-  EXPECT_NE(error_of(sample_glb().substr(0, 200)), "");
+  EXPECT_THAT(gltf_error(changed("\"children\":[1]", "\"children\":[0]")),
+              HasSubstr("two parents"));
+  EXPECT_THAT(gltf_error(changed("[1,2,3]", "[1,2,1e99]")), HasSubstr("finite"));
+  EXPECT_THAT(gltf_error(changed("data:application", "missing:file")), HasSubstr("no such file"));
+  EXPECT_NE(gltf_error(sample_glb().substr(0, 200)), "");
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ std::string vertex_error(const std::string& vertex) {
   return "";
 }
 
-std::string error_of(const std::string& text) {
+std::string guides_error(const std::string& text) {
   try {
     parse_guides(text, "x.json");
   } catch (const Error& error) {
@@ -97,12 +97,12 @@ TEST(GuideFile, ErrorsSayWhereAndWhat) {
   EXPECT_THAT(vertex_error(R"({"position":[1,2,3],"event":"bend"})"),
               AllOf(HasSubstr("'bend'"), HasSubstr("refract")));
   EXPECT_THAT(vertex_error(R"({"position":[1,2,3],"cones":5})"), HasSubstr("'cones'"));
-  EXPECT_THAT(error_of("{"), HasSubstr("x.json: this is not JSON"));
-  EXPECT_THAT(error_of("[]"), HasSubstr("not an object"));
-  EXPECT_THAT(error_of("{}"), HasSubstr("guidelight_guides"));
-  EXPECT_THAT(error_of(R"({"guidelight_guides":2,"guides":[]})"), HasSubstr("is not 1"));
-  EXPECT_THAT(error_of(R"({"guidelight_guides":1})"), HasSubstr("'guides'"));
-  EXPECT_THAT(error_of(R"({"guidelight_guides":1,"guides":[{"weight":-1,"vertices":[]}]})"),
+  EXPECT_THAT(guides_error("{"), HasSubstr("x.json: this is not JSON"));
+  EXPECT_THAT(guides_error("[]"), HasSubstr("not an object"));
+  EXPECT_THAT(guides_error("{}"), HasSubstr("guidelight_guides"));
+  EXPECT_THAT(guides_error(R"({"guidelight_guides":2,"guides":[]})"), HasSubstr("is not 1"));
+  EXPECT_THAT(guides_error(R"({"guidelight_guides":1})"), HasSubstr("'guides'"));
+  EXPECT_THAT(guides_error(R"({"guidelight_guides":1,"guides":[{"weight":-1,"vertices":[]}]})"),
               HasSubstr("negative"));
   EXPECT_THROW(read_guides("/nowhere/a.guides.json"), Error);
 }

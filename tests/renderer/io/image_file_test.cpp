@@ -9,7 +9,7 @@
 namespace guidelight::test {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 Image ramp(int width, int height, int channels, float scale) {
   Image image(width, height, channels);
@@ -17,7 +17,7 @@ Image ramp(int width, int height, int channels, float scale) {
   return image;
 }
 
-std::string error_of(const std::string& bytes) {
+std::string image_error(const std::string& bytes) {
   try {
     read_image(bytes.data(), bytes.size(), "picture");
     return "";
@@ -109,10 +109,10 @@ TEST(ImageFile, EveryFormatIsToldByItsContent) {
 TEST(ImageFile, TruncatedImagesAreErrors) {
   for (const std::string& bytes :
        {sample_png(), sample_jpeg(), sample_hdr(), sample_bmp(), sample_tga(), sample_exr()}) {
-    ASSERT_EQ(error_of(bytes), "");
+    ASSERT_EQ(image_error(bytes), "");
     for (const double share : {0.1, 0.5, 0.9}) {
       const std::string cut = bytes.substr(0, static_cast<size_t>(bytes.size() * share));
-      EXPECT_THAT(error_of(cut), HasSubstr("picture")) << bytes.substr(0, 4) << share;
+      EXPECT_THAT(image_error(cut), HasSubstr("picture")) << bytes.substr(0, 4) << share;
     }
   }
 }
@@ -120,22 +120,22 @@ TEST(ImageFile, TruncatedImagesAreErrors) {
 TEST(ImageFile, AbsurdSizesAreErrorsBeforeMemoryIsTaken) {
   std::string png = sample_png();
   for (const size_t i : {16, 17, 20, 21}) png[i] = '\x7f';  // width and height in the header
-  EXPECT_NE(error_of(png), "");
+  EXPECT_NE(image_error(png), "");
   std::string hdr = sample_hdr();
   hdr.replace(hdr.find("-Y 8 +X 16"), 10, "-Y 60000 +X 60000");
-  EXPECT_THAT(error_of(hdr), HasSubstr("60000"));
+  EXPECT_THAT(image_error(hdr), HasSubstr("60000"));
   std::string bmp = sample_bmp();
   bmp[20] = bmp[24] = '\x40';  // high bytes of width and height
-  EXPECT_NE(error_of(bmp), "");
+  EXPECT_NE(image_error(bmp), "");
 }
 
 TEST(ImageFile, MissingEmptyAndUnknownFilesAreErrors) {
   const TemporaryFolder folder;
   EXPECT_THROW(read_image(folder / "missing.png"), Error);
   EXPECT_THROW(read_image(folder.path().string()), Error);
-  EXPECT_NE(error_of(""), "");
-  EXPECT_NE(error_of("GIF89a and so on"), "");
-  EXPECT_NE(error_of("just some words that are no image"), "");
+  EXPECT_NE(image_error(""), "");
+  EXPECT_NE(image_error("GIF89a and so on"), "");
+  EXPECT_NE(image_error("just some words that are no image"), "");
   EXPECT_THROW(read_metadata(folder.write("a.bmp", sample_bmp())), Error);
 }
 

@@ -10,16 +10,16 @@
 namespace guidelight::test {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
-Mesh read(const std::string& bytes, MeshFormat format) {
+Mesh read_mesh_bytes(const std::string& bytes, MeshFormat format) {
   const TemporaryFolder folder;
   return read_mesh_file(folder.write("mesh with spaces.OBJ", bytes), format);
 }
 
-std::string error_of(const std::string& bytes, MeshFormat format) {
+std::string mesh_error(const std::string& bytes, MeshFormat format) {
   try {
-    read(bytes, format);
+    read_mesh_bytes(bytes, format);
     return "";
   } catch (const Error& error) {
     return error.what();
@@ -27,7 +27,7 @@ std::string error_of(const std::string& bytes, MeshFormat format) {
 }
 
 TEST(ObjFile, GroupsQuadsAndNegativeIndices) {
-  const Mesh mesh = read(sample_obj(), MeshFormat::Obj);
+  const Mesh mesh = read_mesh_bytes(sample_obj(), MeshFormat::Obj);
   ASSERT_EQ(mesh.triangles.size(), 3u);
   EXPECT_EQ(mesh.positions.size(), 5u) << "equal corners share a vertex, over groups too";
   EXPECT_EQ(mesh.positions[mesh.triangles[2][0]], Vec3(0, 0, 1)) << "-1 is the latest vertex";
@@ -36,8 +36,8 @@ TEST(ObjFile, GroupsQuadsAndNegativeIndices) {
 }
 
 TEST(ObjFile, VertexColoursAndMissingParts) {
-  const Mesh mesh =
-      read("v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nvn 0 0 1\nf 1//1 2 3\n", MeshFormat::Obj);
+  const Mesh mesh = read_mesh_bytes(
+      "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nvn 0 0 1\nf 1//1 2 3\n", MeshFormat::Obj);
   ASSERT_EQ(mesh.colors.size(), 3u);
   EXPECT_EQ(mesh.colors[1], Color(0, 1, 0));
   EXPECT_TRUE(mesh.normals.empty()) << "normals count only if every corner has one";
@@ -45,19 +45,19 @@ TEST(ObjFile, VertexColoursAndMissingParts) {
 }
 
 TEST(ObjFile, ErrorsNameTheLine) {
-  EXPECT_THAT(error_of("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", MeshFormat::Obj),
+  EXPECT_THAT(mesh_error("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", MeshFormat::Obj),
               HasSubstr("line 4"));
-  EXPECT_THAT(error_of("v 0 0 0\nf 1 -2 1\n", MeshFormat::Obj), HasSubstr("line 2"));
-  EXPECT_THAT(error_of("v 0 0\n", MeshFormat::Obj), HasSubstr("line 1"));
-  EXPECT_THAT(error_of("v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", MeshFormat::Obj),
+  EXPECT_THAT(mesh_error("v 0 0 0\nf 1 -2 1\n", MeshFormat::Obj), HasSubstr("line 2"));
+  EXPECT_THAT(mesh_error("v 0 0\n", MeshFormat::Obj), HasSubstr("line 1"));
+  EXPECT_THAT(mesh_error("v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", MeshFormat::Obj),
               HasSubstr("not finite"));
-  EXPECT_THAT(error_of("v 1e99 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", MeshFormat::Obj),
+  EXPECT_THAT(mesh_error("v 1e99 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", MeshFormat::Obj),
               HasSubstr("not finite"));
-  EXPECT_THAT(error_of("# nothing\n", MeshFormat::Obj), HasSubstr("no triangles"));
+  EXPECT_THAT(mesh_error("# nothing\n", MeshFormat::Obj), HasSubstr("no triangles"));
 }
 
 TEST(PlyFile, TextWithNormalsAndTextureCoordinates) {
-  const Mesh mesh = read(sample_ply_text(), MeshFormat::Ply);
+  const Mesh mesh = read_mesh_bytes(sample_ply_text(), MeshFormat::Ply);
   ASSERT_EQ(mesh.triangles.size(), 2u);
   EXPECT_EQ(mesh.uvs[2], Vec2(1, 0.25f));
   EXPECT_EQ(mesh.normals[3], Vec3(0, 0, 1));
@@ -65,7 +65,7 @@ TEST(PlyFile, TextWithNormalsAndTextureCoordinates) {
 
 TEST(PlyFile, BinaryOfBothByteOrdersWithColours) {
   for (const bool big_endian : {false, true}) {
-    const Mesh mesh = read(sample_ply_binary(big_endian), MeshFormat::Ply);
+    const Mesh mesh = read_mesh_bytes(sample_ply_binary(big_endian), MeshFormat::Ply);
     ASSERT_EQ(mesh.triangles.size(), 3u);
     EXPECT_EQ(mesh.positions[2], Vec3(1, 1, 0));
     EXPECT_EQ(mesh.triangles[1], (std::array<uint32_t, 3>{0, 2, 3}));
@@ -77,14 +77,14 @@ TEST(PlyFile, BinaryOfBothByteOrdersWithColours) {
 TEST(PlyFile, FalseCountsAndIndicesAreErrors) {
   std::string ply = sample_ply_text();
   ply.replace(ply.find("vertex 4"), 8, "vertex 99999999999");
-  EXPECT_THAT(error_of(ply, MeshFormat::Ply), HasSubstr("99999999999"));
+  EXPECT_THAT(mesh_error(ply, MeshFormat::Ply), HasSubstr("99999999999"));
   ply = sample_ply_text();
   ply.replace(ply.find("4 0 1 2 3"), 9, "4 0 1 2 9");
-  EXPECT_THAT(error_of(ply, MeshFormat::Ply), HasSubstr("vertex 9 of 4"));
+  EXPECT_THAT(mesh_error(ply, MeshFormat::Ply), HasSubstr("vertex 9 of 4"));
   ply.replace(ply.find("4 0 1 2 9"), 9, "4 0 1 2 -1");
-  EXPECT_NE(error_of(ply, MeshFormat::Ply), "");
+  EXPECT_NE(mesh_error(ply, MeshFormat::Ply), "");
   const std::string binary = sample_ply_binary();
-  EXPECT_THAT(error_of(binary.substr(0, binary.size() - 5), MeshFormat::Ply),
+  EXPECT_THAT(mesh_error(binary.substr(0, binary.size() - 5), MeshFormat::Ply),
               HasSubstr("too early"));
 }
 

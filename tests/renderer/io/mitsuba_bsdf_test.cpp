@@ -6,8 +6,8 @@
 namespace guidelight::test {
 namespace {
 
-using testing::HasSubstr;
-using testing::IsEmpty;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 /// The scene that one BSDF makes, which must not warn.
 SceneDescription scene_of(const std::string& bsdf, const std::string& version = "3.0.0") {

@@ -7,9 +7,9 @@
 namespace guidelight::test {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 const char* const kFilm = R"(<sensor type="perspective"><film type="hdrfilm">
   <integer name="width" value="$w"/><integer name="height" value="$h"/></film></sensor>)";
@@ -91,7 +91,7 @@ TEST(MitsubaDocument, TheLongestVariableIsReplaced) {
 }
 
 TEST(MitsubaDocument, UndefinedVariablesAreErrorsWithARemedy) {
-  EXPECT_THAT(mitsuba_error(kFilm), testing::AllOf(HasSubstr(":3:"), HasSubstr("-D w=VALUE")));
+  EXPECT_THAT(mitsuba_error(kFilm), ::testing::AllOf(HasSubstr(":3:"), HasSubstr("-D w=VALUE")));
 }
 
 TEST(MitsubaDocument, IncludesAndPathsOfIncludedFiles) {
@@ -154,11 +154,11 @@ TEST(MitsubaDocument, EachUnsupportedThingWarnsOnceWithItsLine) {
     <shape type="sphere"><float name="wobble" value="1"/><ref id="a"/></shape>
     <shape type="sphere"><float name="wobble" value="2"/><ref id="b"/></shape>
     <frobnicate/>)");
-  EXPECT_THAT(scene.warnings,
-              testing::UnorderedElementsAre(
-                  testing::AllOf(HasSubstr(":3:"), HasSubstr("'hair'"), HasSubstr("grey diffuse")),
-                  testing::AllOf(HasSubstr(":5:"), HasSubstr("'wobble'")),
-                  testing::AllOf(HasSubstr(":7:"), HasSubstr("<frobnicate>"))));
+  EXPECT_THAT(scene.warnings, ::testing::UnorderedElementsAre(
+                                  ::testing::AllOf(HasSubstr(":3:"), HasSubstr("'hair'"),
+                                                   HasSubstr("grey diffuse")),
+                                  ::testing::AllOf(HasSubstr(":5:"), HasSubstr("'wobble'")),
+                                  ::testing::AllOf(HasSubstr(":7:"), HasSubstr("<frobnicate>"))));
   EXPECT_EQ(scene.shapes.size(), 2u);
   EXPECT_TRUE(std::holds_alternative<DiffuseBsdf>(scene.bsdfs[0].model));
 }

@@ -8,10 +8,10 @@
 namespace guidelight::test {
 namespace {
 
-using testing::HasSubstr;
-using testing::IsEmpty;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
-class MitsubaScene : public testing::Test {
+class MitsubaScene : public ::testing::Test {
  protected:
   void SetUp() override {
     folder_.write("mesh.obj", sample_obj());
@@ -147,7 +147,7 @@ TEST_F(MitsubaScene, GroupsAndInstances) {
 TEST_F(MitsubaScene, MissingAndBrokenMeshesNameTheSceneLine) {
   EXPECT_THAT(
       mitsuba_error("\n<shape type=\"obj\"><string name=\"filename\" value=\"no.obj\"/></shape>"),
-      testing::AllOf(HasSubstr("scene.xml:3:"), HasSubstr("no.obj")));
+      ::testing::AllOf(HasSubstr("scene.xml:3:"), HasSubstr("no.obj")));
   folder_.write("bad.ply", "ply\nnonsense");
   EXPECT_THROW(read(R"(<shape type="ply"><string name="filename" value="bad.ply"/></shape>)"),
                Error);
@@ -171,7 +171,7 @@ TEST_F(MitsubaScene, ShapesScaledToNothingAreLeftOutUnlessFlat) {
   for (const auto& [type, scale] : std::vector<std::pair<std::string, std::string>>{
            {"rectangle", R"(x="0")"}, {"sphere", R"(z="0")"}, {"cube", R"(value="0")"}}) {
     const SceneDescription scene = scaled(type, scale);
-    EXPECT_THAT(scene.warnings, testing::ElementsAre(HasSubstr("'it' is scaled to nothing")));
+    EXPECT_THAT(scene.warnings, ::testing::ElementsAre(HasSubstr("'it' is scaled to nothing")));
     EXPECT_EQ(scene.shapes.size(), 1u) << type;
   }
 }
@@ -179,7 +179,7 @@ TEST_F(MitsubaScene, ShapesScaledToNothingAreLeftOutUnlessFlat) {
 TEST_F(MitsubaScene, UnsupportedShapesAreLeftOut) {
   const SceneDescription scene = read(R"(<shape type="heightfield"/><shape type="sphere"/>)");
   EXPECT_EQ(scene.shapes.size(), 1u);
-  EXPECT_THAT(scene.warnings, testing::ElementsAre(HasSubstr("'heightfield'")));
+  EXPECT_THAT(scene.warnings, ::testing::ElementsAre(HasSubstr("'heightfield'")));
 }
 
 // -- Media and area lights
@@ -346,7 +346,7 @@ TEST_F(MitsubaScene, ProjectorsOfAColourThrowOnePixel) {
   EXPECT_THAT(read(R"(<emitter type="projector"><texture type="checkerboard" name="irradiance"/>
                       </emitter>)")
                   .warnings,
-              testing::ElementsAre(HasSubstr("only bitmaps")));
+              ::testing::ElementsAre(HasSubstr("only bitmaps")));
 }
 
 TEST_F(MitsubaScene, SunAndSky) {
@@ -377,7 +377,7 @@ TEST_F(MitsubaScene, SunAndSky) {
 TEST_F(MitsubaScene, UnsupportedEmittersAreLeftOut) {
   const SceneDescription scene = read(R"(<emitter type="collimated"/>)");
   EXPECT_THAT(scene.emitters, IsEmpty());
-  EXPECT_THAT(scene.warnings, testing::ElementsAre(HasSubstr("'collimated'")));
+  EXPECT_THAT(scene.warnings, ::testing::ElementsAre(HasSubstr("'collimated'")));
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 namespace guidelight::test {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 Mat4 camera_transform(const std::string& parts, const std::string& name = "to_world") {
   return read_mitsuba("<sensor type=\"perspective\"><transform name=\"" + name + "\">" + parts +
@@ -13,7 +13,7 @@ Mat4 camera_transform(const std::string& parts, const std::string& name = "to_wo
       .camera.to_world;
 }
 
-void expect_near(Vec3 actual, Vec3 expected) {
+void expect_close(Vec3 actual, Vec3 expected) {
   EXPECT_NEAR(glm::length(actual - expected), 0, 1e-5f)
       << actual.x << ' ' << actual.y << ' ' << actual.z;
 }
@@ -21,25 +21,25 @@ void expect_near(Vec3 actual, Vec3 expected) {
 TEST(MitsubaTransform, PartsApplyInTheOrderTheyAreWritten) {
   const Mat4 m = camera_transform(R"(<scale value="2"/><rotate z="1" angle="90"/>
                                      <translate x="5" y="6"/>)");
-  expect_near(transform_point(m, Vec3(1, 0, 0)), Vec3(5, 8, 0));
+  expect_close(transform_point(m, Vec3(1, 0, 0)), Vec3(5, 8, 0));
 }
 
 TEST(MitsubaTransform, VectorsInAllSpellings) {
-  expect_near(transform_point(camera_transform(R"(<translate value="1, 2 3"/>)"), Vec3(0)),
-              Vec3(1, 2, 3));
-  expect_near(transform_vector(camera_transform(R"(<scale x="2" z="3"/>)"), Vec3(1)),
-              Vec3(2, 1, 3));
-  expect_near(
+  expect_close(transform_point(camera_transform(R"(<translate value="1, 2 3"/>)"), Vec3(0)),
+               Vec3(1, 2, 3));
+  expect_close(transform_vector(camera_transform(R"(<scale x="2" z="3"/>)"), Vec3(1)),
+               Vec3(2, 1, 3));
+  expect_close(
       transform_vector(camera_transform(R"(<rotate value="0,1,0" angle="90"/>)"), Vec3(0, 0, 1)),
       Vec3(1, 0, 0));
 }
 
 TEST(MitsubaTransform, MatricesAreRowsOfFourOrThree) {
-  expect_near(
+  expect_close(
       transform_point(camera_transform(R"(<matrix value="1 0 0 7  0 0 -1 8  0 1 0 9  0 0 0 1"/>)"),
                       Vec3(1, 2, 3)),
       Vec3(8, 5, 11));
-  expect_near(
+  expect_close(
       transform_vector(camera_transform(R"(<matrix value="0,1,0, 1,0,0, 0,0,2"/>)"), Vec3(1, 2, 3)),
       Vec3(2, 1, 6));
 }
@@ -48,9 +48,9 @@ TEST(MitsubaTransform, LookAtHasXToTheLeftInBothSpellings) {
   for (const std::string tag : {"lookat", "lookAt"}) {
     const Mat4 m =
         camera_transform("<" + tag + R"( origin="0,0,5" target="0 0 0" up="0, 1, 0"/>)", "toWorld");
-    expect_near(transform_vector(m, Vec3(0, 0, 1)), Vec3(0, 0, -1));
-    expect_near(transform_vector(m, Vec3(0, 1, 0)), Vec3(0, 1, 0));
-    expect_near(transform_vector(m, Vec3(1, 0, 0)), Vec3(-1, 0, 0));  // left, looking along -z
+    expect_close(transform_vector(m, Vec3(0, 0, 1)), Vec3(0, 0, -1));
+    expect_close(transform_vector(m, Vec3(0, 1, 0)), Vec3(0, 1, 0));
+    expect_close(transform_vector(m, Vec3(1, 0, 0)), Vec3(-1, 0, 0));  // left, looking along -z
   }
 }
 
@@ -80,7 +80,7 @@ TEST(MitsubaSensor, EveryFovAxisInBothDialects) {
           parameter + "\" value=\"" + name + "\"/></sensor>");
       EXPECT_EQ(scene.camera.fov_axis, axis);
       EXPECT_EQ(scene.camera.fov, 33);
-      EXPECT_THAT(scene.warnings, testing::IsEmpty());
+      EXPECT_THAT(scene.warnings, ::testing::IsEmpty());
     }
   }
 }
@@ -121,7 +121,7 @@ TEST(MitsubaSensor, FilmCropFilterAndSamples) {
   EXPECT_EQ(scene.film.filter.kind, FilterKind::Mitchell);
   EXPECT_FLOAT_EQ(scene.film.filter.b, 0.1f);
   EXPECT_FLOAT_EQ(scene.film.filter.c, 0.45f);
-  EXPECT_THAT(scene.warnings, testing::IsEmpty());
+  EXPECT_THAT(scene.warnings, ::testing::IsEmpty());
 }
 
 TEST(MitsubaSensor, CropWindowsDefaultToTheFilmAndMustBeInside) {
@@ -142,7 +142,7 @@ TEST(MitsubaSensor, CropWindowsDefaultToTheFilmAndMustBeInside) {
        {R"(<integer name="crop_offset_y" value="1"/>)", R"(<integer name="crop_width" value="0"/>)",
         R"(<integer name="crop_width" value="101"/>)",
         R"(<integer name="crop_offset_x" value="-1"/><integer name="crop_width" value="9"/>)"}) {
-    EXPECT_THAT(mitsuba_error(film(crop)), testing::ContainsRegex("scene.xml:2: the crop window"))
+    EXPECT_THAT(mitsuba_error(film(crop)), ::testing::ContainsRegex("scene.xml:2: the crop window"))
         << crop;
   }
 }
@@ -182,10 +182,10 @@ TEST(MitsubaSensor, ImpossibleFilmsAndViewsAreErrors) {
 TEST(MitsubaSensor, WithoutOneTheWholeSceneIsSeen) {
   const SceneDescription scene = read_mitsuba(R"(<shape type="sphere">
     <point name="center" x="10" y="20" z="30"/><float name="radius" value="2"/></shape>)");
-  EXPECT_THAT(scene.warnings, testing::ElementsAre(HasSubstr("no sensor")));
+  EXPECT_THAT(scene.warnings, ::testing::ElementsAre(HasSubstr("no sensor")));
   const Vec3 eye(scene.camera.to_world[3]);
   const Vec3 forward(scene.camera.to_world[2]);
-  expect_near(glm::normalize(Vec3(10, 20, 30) - eye), forward);
+  expect_close(glm::normalize(Vec3(10, 20, 30) - eye), forward);
 }
 
 TEST(MitsubaIntegrator, HintsOfBothDialects) {

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class SharedScenes : public testing::Test {
+class SharedScenes : public ::testing::Test {
  protected:
   void SetUp() override {
     if (!fs::exists(folder_)) GTEST_SKIP() << "the shared scenes are not beside the checkout";

@@ -13,8 +13,6 @@ namespace {
 using statistics::Moments;
 using testing::ComparisonScene;
 
-constexpr double kFalseAlarms = 1e-3;
-
 /// How much of what arrives at a raster position the pixels of the picture take: less than 1 near
 /// the edges, and more than 0 a little beyond them.
 double share_of_picture(const Filter& filter, const Camera& camera, Vec2 raster) {
@@ -56,7 +54,8 @@ TEST_P(WholePaths, IntegrateToThePicture) {
     }
     found.add(sum / kPaths);
   }
-  const double level = statistics::sidak_level(kFalseAlarms, testing::comparison_scenes().size());
+  const double level =
+      statistics::sidak_level(statistics::kFalseAlarms, testing::comparison_scenes().size());
   EXPECT_GT(statistics::welch_test(found, expected), level)
       << found.mean() << " +- " << found.standard_error() << " against " << expected.mean()
       << " +- " << expected.standard_error();

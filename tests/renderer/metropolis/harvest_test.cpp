@@ -63,7 +63,6 @@ statistics::Moments means_of_chains(std::shared_ptr<const Scene> scene,
 }
 
 TEST(Pilot, guides_fit_the_scene_and_leave_the_picture_as_it_was) {
-  constexpr double kFalseAlarms = 1e-3;
   const auto scene = testing::build(testing::comparison_scenes({"mirror_glass_box"})[0].make());
   const auto found = pilot_guides(*scene, 100000, 6, false);
   ASSERT_EQ(found.size(), 6u);
@@ -77,7 +76,7 @@ TEST(Pilot, guides_fit_the_scene_and_leave_the_picture_as_it_was) {
   EXPECT_TRUE(has_caustic);
   const auto without = means_of_chains(scene, nullptr);
   const auto with = means_of_chains(scene, GuideMixture::build(scene, guides));
-  EXPECT_GT(statistics::welch_test(with, without), kFalseAlarms)
+  EXPECT_GT(statistics::welch_test(with, without), statistics::kFalseAlarms)
       << with.mean() << " +- " << with.standard_error() << " against " << without.mean() << " +- "
       << without.standard_error();
   EXPECT_LT(with.standard_error(), 0.03 * with.mean());

@@ -22,19 +22,18 @@ namespace {
 
 using statistics::Moments;
 
-constexpr double kFalseAlarms = 1e-3;
-constexpr int kSide = testing::kComparisonSide;
+constexpr int kChainSide = testing::kComparisonSide;
 constexpr int kBlocks = 2;  // in each direction
-constexpr PathLengths kLengths{1, 6};
+constexpr PathLengths kChainLengths{1, 6};
 
 using Blocks = std::array<double, kBlocks * kBlocks + 1>;  // the last is the whole picture
 
 Blocks block_means(const Image& picture) {
   Blocks means{};
-  for (int y = 0; y < kSide; ++y) {
-    for (int x = 0; x < kSide; ++x) {
-      const double value = luminance(picture.color(x, y)) / (kSide * kSide);
-      means[y * kBlocks / kSide * kBlocks + x * kBlocks / kSide] += value;
+  for (int y = 0; y < kChainSide; ++y) {
+    for (int x = 0; x < kChainSide; ++x) {
+      const double value = luminance(picture.color(x, y)) / (kChainSide * kChainSide);
+      means[y * kBlocks / kChainSide * kBlocks + x * kBlocks / kChainSide] += value;
       means.back() += value;
     }
   }
@@ -53,14 +52,14 @@ enum Which {
 MutationSet make_set(const Scene& scene, int which,
                      std::shared_ptr<const GuideMixture> guides = nullptr) {
   MutationSet set;
-  set.add(make_bidirectional_mutation(scene, kLengths, std::move(guides), 0.5f), 0.3f);
+  set.add(make_bidirectional_mutation(scene, kChainLengths, std::move(guides), 0.5f), 0.3f);
   const auto add = [&](Which bit, std::unique_ptr<Mutation> mutation) {
     if (which & bit) set.add(std::move(mutation), 1);
   };
   add(kLens, make_lens_perturbation(scene));
   add(kMultiChain, make_multi_chain_perturbation(scene));
   add(kCaustic, make_caustic_perturbation(scene));
-  add(kSubpath, make_lens_subpath_mutation(scene, kLengths));
+  add(kSubpath, make_lens_subpath_mutation(scene, kChainLengths));
   add(kMap, make_photon_map_perturbation(scene, kPi / 6));
   return set;
 }
@@ -69,7 +68,7 @@ MutationSet make_set(const Scene& scene, int which,
 Blocks run_chains(const Scene& scene, const MutationSet& set, uint64_t seed, int chains,
                   int steps) {
   constexpr int kSeeds = 40000;
-  const PathSampler sampler(scene, kLengths);
+  const PathSampler sampler(scene, kChainLengths);
   std::vector<float> weights(kSeeds);
   double total = 0;
   Path path;
@@ -79,7 +78,7 @@ Blocks run_chains(const Scene& scene, const MutationSet& set, uint64_t seed, int
     total += weights[i] = pdf > 0 ? static_cast<float>(path.target() / pdf) : 0.0f;
   }
   const DiscreteDistribution start(weights);
-  Film film(kSide, kSide, scene.camera().film().filter);
+  Film film(kChainSide, kChainSide, scene.camera().film().filter);
   film.prepare_splats();
   film.add_splat_count(1);
   FilmObserver observer(film, {.normalization = total / kSeeds / chains / steps}, sampler,
@@ -95,12 +94,12 @@ Blocks run_chains(const Scene& scene, const MutationSet& set, uint64_t seed, int
   return block_means(film.develop(Layer::Beauty));
 }
 
-struct Case {
+struct ChainCase {
   std::string name;
   int which;
 };
 
-class Chains : public ::testing::TestWithParam<std::tuple<testing::ComparisonScene, Case>> {};
+class Chains : public ::testing::TestWithParam<std::tuple<testing::ComparisonScene, ChainCase>> {};
 
 /// Compares chains with the path tracer; `tests` is how many such comparisons there are.
 void expect_the_picture(const std::shared_ptr<const Scene>& scene, const MutationSet& set,
@@ -114,7 +113,7 @@ void expect_the_picture(const std::shared_ptr<const Scene>& scene, const Mutatio
     const Blocks means = run_chains(*scene, set, seed, 40, 1000);
     for (size_t i = 0; i < means.size(); ++i) found[i].add(means[i]);
   }
-  const double level = statistics::sidak_level(kFalseAlarms, tests * expected.size());
+  const double level = statistics::sidak_level(statistics::kFalseAlarms, tests * expected.size());
   for (size_t i = 0; i < expected.size(); ++i) {
     EXPECT_GT(statistics::welch_test(found[i], expected[i]), level)
         << "block " << i << ": " << found[i].mean() << " +- " << found[i].standard_error()
@@ -136,17 +135,17 @@ std::string case_name(const Info& test) {
 
 INSTANTIATE_TEST_SUITE_P(AllMutations, Chains,
                          ::testing::Combine(::testing::ValuesIn(testing::comparison_scenes()),
-                                            ::testing::Values(Case{"all", 63})),
+                                            ::testing::Values(ChainCase{"all", 63})),
                          [](const auto& test) { return case_name(test); });
 
 INSTANTIATE_TEST_SUITE_P(
     EachMutation, Chains,
-    ::testing::Combine(::testing::ValuesIn(testing::comparison_scenes(
-                           {"mirror_glass_box", "environment", "thin_lens"})),
-                       ::testing::Values(Case{"bidirectional", kBidirectional}, Case{"lens", kLens},
-                                         Case{"multi_chain", kMultiChain},
-                                         Case{"caustic", kCaustic}, Case{"lens_subpath", kSubpath},
-                                         Case{"photon_map", kMap})),
+    ::testing::Combine(
+        ::testing::ValuesIn(testing::comparison_scenes({"mirror_glass_box", "environment",
+                                                        "thin_lens"})),
+        ::testing::Values(ChainCase{"bidirectional", kBidirectional}, ChainCase{"lens", kLens},
+                          ChainCase{"multi_chain", kMultiChain}, ChainCase{"caustic", kCaustic},
+                          ChainCase{"lens_subpath", kSubpath}, ChainCase{"photon_map", kMap})),
     [](const auto& test) { return case_name(test); });
 
 /// Guides that begin as light does, traced over some bounces.

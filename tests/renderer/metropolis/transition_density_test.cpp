@@ -18,10 +18,9 @@ namespace {
 
 using statistics::Moments;
 
-constexpr double kFalseAlarms = 1e-3;
-constexpr int kPaths = 4;  // that are mutated
-constexpr float kRadius = 0.03f;
-constexpr PathLengths kLengths{3, 3};
+constexpr int kMutatedPaths = 4;  // that are mutated
+constexpr float kMoveRadius = 0.03f;
+constexpr PathLengths kTransitionLengths{3, 3};
 
 /// The one vertex by which two paths of the same length differ; -1 if they differ otherwise.
 int moved_vertex(const Path& x, const Path& y) {
@@ -30,7 +29,7 @@ int moved_vertex(const Path& x, const Path& y) {
 }
 
 /// Whether a disc around a point of the room's walls lies in its wall.
-bool lies_within_wall(Vec3 p, float radius = kRadius) {
+bool lies_within_wall(Vec3 p, float radius = kMoveRadius) {
   int on_wall = 0;
   for (int axis = 0; axis < 3; ++axis) on_wall += std::abs(p[axis]) > 0.999f ? 1 : 0;
   const float limit = 1 - 2 * radius;
@@ -39,7 +38,7 @@ bool lies_within_wall(Vec3 p, float radius = kRadius) {
   return on_wall == 1 && inside == 2;
 }
 
-struct Case {
+struct TransitionCase {
   std::string name;
   std::unique_ptr<Mutation> (*make)(const Scene& scene);
   int proposals;
@@ -47,14 +46,14 @@ struct Case {
 
 class TransitionDensity : public ::testing::TestWithParam<int> {};
 
-const std::vector<Case>& cases() {
-  static const std::vector<Case> list = {
-      {"bidirectional", [](const Scene& s) { return make_bidirectional_mutation(s, kLengths); },
-       1000000},
+const std::vector<TransitionCase>& transition_cases() {
+  static const std::vector<TransitionCase> list = {
+      {"bidirectional",
+       [](const Scene& s) { return make_bidirectional_mutation(s, kTransitionLengths); }, 1000000},
       {"lens", [](const Scene& s) { return make_lens_perturbation(s); }, 100000},
       {"caustic", [](const Scene& s) { return make_caustic_perturbation(s); }, 100000},
-      {"lens_subpath", [](const Scene& s) { return make_lens_subpath_mutation(s, kLengths); },
-       200000},
+      {"lens_subpath",
+       [](const Scene& s) { return make_lens_subpath_mutation(s, kTransitionLengths); }, 200000},
       {"photon_map", [](const Scene& s) { return make_photon_map_perturbation(s, kPi / 6); },
        100000},
   };
@@ -62,14 +61,15 @@ const std::vector<Case>& cases() {
 }
 
 TEST_P(TransitionDensity, CountsCandidates) {
-  const Case& test = cases()[GetParam()];
+  const TransitionCase& test = transition_cases()[GetParam()];
   const auto scene = testing::build(testing::room());
   const auto mutation = test.make(*scene);
-  const PathSampler sampler(*scene, kLengths);
-  const double level = statistics::sidak_level(kFalseAlarms, cases().size() * kPaths);
+  const PathSampler sampler(*scene, kTransitionLengths);
+  const double level =
+      statistics::sidak_level(statistics::kFalseAlarms, transition_cases().size() * kMutatedPaths);
   Path x, y;
   int tested = 0;
-  for (int i = 0; i < 10000 && tested < kPaths; ++i) {
+  for (int i = 0; i < 10000 && tested < kMutatedPaths; ++i) {
     Rng rng(3, 0, i);
     if (sampler.sample(x, rng) == 0 || !mutation->is_suitable(x)) continue;
     if (!mutation->propose(x, y, rng)) continue;
@@ -78,21 +78,21 @@ TEST_P(TransitionDensity, CountsCandidates) {
     const Vec3 center = y.points[v].point.position;
     // Perturbations go neither very near nor far: the whole disc must be within their reach.
     const float distance = glm::distance(center, x.points[v].point.position);
-    if (distance < 2 * kRadius || distance > 4 * kRadius) continue;
+    if (distance < 2 * kMoveRadius || distance > 4 * kMoveRadius) continue;
     Moments area;
     for (int n = 0; n < test.proposals; ++n) {
       const bool counts = mutation->propose(x, y, rng) && moved_vertex(x, y) == v &&
-                          glm::distance(y.points[v].point.position, center) < kRadius;
+                          glm::distance(y.points[v].point.position, center) < kMoveRadius;
       area.add(counts ? 1 / mutation->density(x, y) : 0);
     }
     ++tested;
-    const double expected = kPi * kRadius * kRadius;
+    const double expected = kPi * kMoveRadius * kMoveRadius;
     EXPECT_GT(statistics::t_test(area, expected), level)
         << "path " << i << ", vertex " << v << ": " << area.mean() << " +- "
         << area.standard_error() << " against " << expected;
     EXPECT_LT(area.standard_error(), 0.25 * expected) << "path " << i;
   }
-  EXPECT_EQ(tested, kPaths);
+  EXPECT_EQ(tested, kMutatedPaths);
 }
 
 /// A room of a tenth of the size with a mirror before the camera: densities per area are large.
@@ -133,7 +133,7 @@ TEST(ForcedVertices, AreDrawnWithAProbability) {
       area.add(counts ? 1 / mutation->density(x, y) : 0);
     }
     const double expected = kPi * sqr(kWide * kSmall);
-    EXPECT_GT(statistics::t_test(area, expected), kFalseAlarms)
+    EXPECT_GT(statistics::t_test(area, expected), statistics::kFalseAlarms)
         << area.mean() << " +- " << area.standard_error() << " against " << expected;
     EXPECT_LT(area.standard_error(), 0.25 * expected);
   }
@@ -141,7 +141,7 @@ TEST(ForcedVertices, AreDrawnWithAProbability) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Mutations, TransitionDensity, ::testing::Range(0, 5),
-                         [](const auto& test) { return cases()[test.param].name; });
+                         [](const auto& test) { return transition_cases()[test.param].name; });
 
 }  // namespace
 }  // namespace guidelight

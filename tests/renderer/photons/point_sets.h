@@ -55,11 +55,12 @@ inline std::vector<PointSet> point_sets() {
   return sets;
 }
 
-/// Places from which to search: members of the set, and others in and around it.
+/// Places from which to search: members of the set, and others in and around it; fewer under
+/// sanitizers, where brute force is slow.
 inline std::vector<Vec3> query_points(const PointSet& set) {
   std::vector<Vec3> queries = {Vec3(0), Vec3(-3, 7, 2), Vec3(0.5f)};
   Rng rng(99, 0, 0);
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < 20 / GUIDELIGHT_SLOWDOWN; ++i) {
     const Vec3 jitter(rng.next_float(), rng.next_float(), rng.next_float());
     queries.push_back(jitter);
     if (set.points.empty()) continue;

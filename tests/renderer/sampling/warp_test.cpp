@@ -9,31 +9,30 @@
 namespace guidelight {
 namespace {
 
-constexpr int kSamples = 200000;
-/// False alarm rate of all tests of this file together (Šidák).
-constexpr double kFamilyLevel = 1e-3;
+constexpr int kWarpSamples = 200000;
 constexpr int kTests = 9;
-const double kLevel = statistics::sidak_level(kFamilyLevel, kTests);
+const double kWarpLevel = statistics::sidak_level(statistics::kFalseAlarms, kTests);
 
 template <typename Warp, typename Density>
 double sphere_p_value(uint64_t seed, Warp&& warp, Density&& density) {
   const statistics::SphereGrid grid;
   std::vector<double> observed(grid.size());
   Rng rng(seed, 0, 0);
-  for (int i = 0; i < kSamples; ++i) ++observed[grid.cell(warp(rng.next_vec2()))];
+  for (int i = 0; i < kWarpSamples; ++i) ++observed[grid.cell(warp(rng.next_vec2()))];
   std::vector<double> expected = grid.integrate(density);
-  for (double& e : expected) e *= kSamples;
+  for (double& e : expected) e *= kWarpSamples;
   return statistics::chi_square_test(observed, expected).p_value;
 }
 
 TEST(Warp, CosineHemisphere) {
   EXPECT_GT(sphere_p_value(1, square_to_cosine_hemisphere,
                            [](Vec3 w) { return cosine_hemisphere_pdf(w.z); }),
-            kLevel);
+            kWarpLevel);
 }
 
 TEST(Warp, UniformSphere) {
-  EXPECT_GT(sphere_p_value(2, square_to_sphere, [](Vec3) { return kUniformSpherePdf; }), kLevel);
+  EXPECT_GT(sphere_p_value(2, square_to_sphere, [](Vec3) { return kUniformSpherePdf; }),
+            kWarpLevel);
 }
 
 TEST(Warp, UniformCap) {
@@ -41,7 +40,7 @@ TEST(Warp, UniformCap) {
   for (const float cos_max : {0.8f, 0.2f, -0.6f}) {  // edges of the grid's cells
     const auto warp = [&](Vec2 u) { return square_to_cap(u, cos_max); };
     const auto density = [&](Vec3 w) { return w.z > cos_max ? uniform_cap_pdf(cos_max) : 0.0f; };
-    EXPECT_GT(sphere_p_value(3 + i++, warp, density), kLevel) << cos_max;
+    EXPECT_GT(sphere_p_value(3 + i++, warp, density), kWarpLevel) << cos_max;
   }
 }
 
@@ -51,11 +50,11 @@ TEST(Warp, NarrowCapKeepsItsPrecision) {
   const float one_minus_cos_max = 0.5e-10f;
   statistics::Moments squares;
   Rng rng(6, 0, 0);
-  for (int i = 0; i < kSamples; ++i) {
+  for (int i = 0; i < kWarpSamples; ++i) {
     const Vec3 w = square_to_narrow_cap(rng.next_vec2(), one_minus_cos_max);
     squares.add((sqr(double(w.x)) + sqr(double(w.y))) / 1e-10);
   }
-  EXPECT_GT(statistics::t_test(squares, 0.5, 1e-6), kLevel);
+  EXPECT_GT(statistics::t_test(squares, 0.5, 1e-6), kWarpLevel);
   EXPECT_NEAR(narrow_cap_pdf(one_minus_cos_max) * kPi * 1e-10, 1, 1e-4);
 }
 
@@ -65,14 +64,14 @@ double square_p_value(uint64_t seed, Warp&& warp) {
   constexpr int kCells = 20;
   std::vector<double> observed(kCells * kCells);
   Rng rng(seed, 0, 0);
-  for (int i = 0; i < kSamples; ++i) {
+  for (int i = 0; i < kWarpSamples; ++i) {
     const Vec2 p = warp(rng.next_vec2());
     const int x = std::min(static_cast<int>(p.x * kCells), kCells - 1);
     const int y = std::min(static_cast<int>(p.y * kCells), kCells - 1);
     ++observed.at(static_cast<size_t>(y) * kCells + x);
   }
   const std::vector<double> expected(observed.size(),
-                                     static_cast<double>(kSamples) / observed.size());
+                                     static_cast<double>(kWarpSamples) / observed.size());
   return statistics::chi_square_test(observed, expected).p_value;
 }
 
@@ -83,7 +82,7 @@ TEST(Warp, DiskIsUniform) {
                              const Vec2 d = square_to_disk(u);
                              return Vec2(glm::dot(d, d), std::atan2(d.y, d.x) / (2 * kPi) + 0.5f);
                            }),
-            kLevel);
+            kWarpLevel);
 }
 
 TEST(Warp, TriangleIsUniform) {
@@ -94,7 +93,7 @@ TEST(Warp, TriangleIsUniform) {
                              const float sum = b.x + b.y;
                              return Vec2(sum * sum, b.y / sum);
                            }),
-            kLevel);
+            kWarpLevel);
 }
 
 }  // namespace

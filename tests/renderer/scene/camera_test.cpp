@@ -19,14 +19,14 @@ Mat4 tilted() {
   return glm::translate(Mat4(1), Vec3(3, -2, 5)) * turn;
 }
 
-struct Case {
+struct CameraCase {
   std::string name;
   CameraDescription camera;
   FilmDescription film;
 };
 
-std::vector<Case> make_cases() {
-  std::vector<Case> cases;
+std::vector<CameraCase> make_cases() {
+  std::vector<CameraCase> cases;
   FilmDescription film;
   film.width = 120;
   film.height = 80;
@@ -74,7 +74,7 @@ std::vector<Case> make_cases() {
   return cases;
 }
 
-class EveryCamera : public testing::TestWithParam<Case> {
+class EveryCamera : public ::testing::TestWithParam<CameraCase> {
  protected:
   Camera camera_{GetParam().camera, GetParam().film};
   Vec2 size_{camera_.width(), camera_.height()};
@@ -172,15 +172,16 @@ TEST_P(ProjectiveCamera, DirectionDensityIntegratesToOne) {
   EXPECT_GT(statistics::t_test(integral, camera_.raster_excess(), 1e-4), kLevel) << integral.mean();
 }
 
-std::vector<Case> make_projective_cases() {
-  std::vector<Case> cases = make_cases();
-  std::erase_if(cases, [](const Case& c) { return c.camera.model == CameraModel::Orthographic; });
+std::vector<CameraCase> make_projective_cases() {
+  std::vector<CameraCase> cases = make_cases();
+  std::erase_if(cases,
+                [](const CameraCase& c) { return c.camera.model == CameraModel::Orthographic; });
   return cases;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EveryCamera, testing::ValuesIn(make_cases()),
+INSTANTIATE_TEST_SUITE_P(All, EveryCamera, ::testing::ValuesIn(make_cases()),
                          [](const auto& test) { return test.param.name; });
-INSTANTIATE_TEST_SUITE_P(All, ProjectiveCamera, testing::ValuesIn(make_projective_cases()),
+INSTANTIATE_TEST_SUITE_P(All, ProjectiveCamera, ::testing::ValuesIn(make_projective_cases()),
                          [](const auto& test) { return test.param.name; });
 
 /// Angle of view between two raster positions, [degrees].

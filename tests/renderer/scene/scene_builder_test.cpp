@@ -35,23 +35,23 @@ TEST(SceneBuilder, ErrorsNameTheFileOfTheScene) {
 
   SceneDescription scene = sound;
   scene.shapes = {collapsed("ball", 7, SphereShape{})};
-  EXPECT_THAT(error_of(scene), testing::StartsWith("room.xml: Shape 'ball' (line 7)"));
+  EXPECT_THAT(error_of(scene), ::testing::StartsWith("room.xml: Shape 'ball' (line 7)"));
 
   scene = sound;
   scene.groups.push_back({.name = "g", .line = 1, .shapes = {}});
   scene.shapes = {collapsed("copy", 8, InstanceShape{0})};
-  EXPECT_THAT(error_of(scene), testing::StartsWith("room.xml:8: "));
+  EXPECT_THAT(error_of(scene), ::testing::StartsWith("room.xml:8: "));
 
   scene = sound;
   scene.emitters.push_back({.name = "sky", .line = 9, .model = EnvironmentEmitter{}});
-  EXPECT_THAT(error_of(scene), testing::StartsWith("room.xml: line 9: emitter 'sky'"));
+  EXPECT_THAT(error_of(scene), ::testing::StartsWith("room.xml: line 9: emitter 'sky'"));
 
   scene = sound;
   scene.film.crop_width = 9999;
-  EXPECT_THAT(error_of(scene), testing::StartsWith("room.xml: the crop window"));
+  EXPECT_THAT(error_of(scene), ::testing::StartsWith("room.xml: the crop window"));
 
   scene.path.clear();
-  EXPECT_THAT(error_of(scene), testing::StartsWith("the crop window"));
+  EXPECT_THAT(error_of(scene), ::testing::StartsWith("the crop window"));
 }
 
 TEST(SceneBuilder, SharedMeshesCountOnceAndWhole) {
@@ -91,7 +91,7 @@ TEST(SceneBuilder, WhatIsTooFarAwayIsNamed) {
       scene.shapes = {ball};
       scene.shapes[0].geometry = geometry;
       scene.shapes[0].to_world = to_world;
-      EXPECT_THAT(error_of(scene), testing::HasSubstr("'ball' reaches farther than 1000000000"));
+      EXPECT_THAT(error_of(scene), ::testing::HasSubstr("'ball' reaches farther than 1000000000"));
     }
   }
 
@@ -101,9 +101,9 @@ TEST(SceneBuilder, WhatIsTooFarAwayIsNamed) {
   instanced.shapes[0].geometry = InstanceShape{0};
   EXPECT_EQ(error_of(instanced), "");
   instanced.shapes[0].to_world = far;
-  EXPECT_THAT(error_of(instanced), testing::HasSubstr("instance of 'balls' reaches farther"));
+  EXPECT_THAT(error_of(instanced), ::testing::HasSubstr("instance of 'balls' reaches farther"));
   instanced.shapes[0].to_world = glm::scale(Mat4(1), Vec3(1e-12f));
-  EXPECT_THAT(error_of(instanced), testing::HasSubstr("the instance 'ball' is too small"));
+  EXPECT_THAT(error_of(instanced), ::testing::HasSubstr("the instance 'ball' is too small"));
 
   SpotEmitter spot;
   spot.to_world = far;
@@ -112,7 +112,8 @@ TEST(SceneBuilder, WhatIsTooFarAwayIsNamed) {
                             decltype(EmitterDescription::model)(spot)}) {
     SceneDescription scene;
     scene.emitters.push_back({.name = "lamp", .line = 3, .model = model});
-    EXPECT_THAT(error_of(scene), testing::HasSubstr("emitter 'lamp': it is not finite or farther"));
+    EXPECT_THAT(error_of(scene),
+                ::testing::HasSubstr("emitter 'lamp': it is not finite or farther"));
   }
 }
 

@@ -34,21 +34,21 @@ struct Traced {
   Accelerator accelerator{1};
 };
 
-struct Case {
+struct ShapeCase {
   const char* name;
   decltype(ShapeDescription::geometry) geometry;
 };
 
-const std::vector<Case> kCases = {{"sphere", SphereShape{}},
-                                  {"disk", DiskShape{}},
-                                  {"cylinder", CylinderShape{}},
-                                  {"square", square()},
-                                  {"cube", cube()}};
+const std::vector<ShapeCase> kShapeCases = {{"sphere", SphereShape{}},
+                                            {"disk", DiskShape{}},
+                                            {"cylinder", CylinderShape{}},
+                                            {"square", square()},
+                                            {"cube", cube()}};
 
-class EveryShape : public testing::TestWithParam<Case> {};
+class EveryShape : public ::testing::TestWithParam<ShapeCase> {};
 
 const Vec3 kAxes[] = {Vec3(1), Vec3(3, 1, 0.4f), Vec3(-1, 2, 0.7f)};
-const double kLevel = statistics::sidak_level(1e-3, 3 * kCases.size() * std::size(kAxes));
+const double kShapeLevel = statistics::sidak_level(1e-3, 3 * kShapeCases.size() * std::size(kAxes));
 
 /// Crofton: random lines through a sphere of radius R around a surface of area A meet it A/(2πR²)
 /// times on average.
@@ -72,7 +72,7 @@ TEST_P(EveryShape, AreaIsWhatRandomLinesMeasure) {
       crossings.add(count);
     }
     const double scale = 2 * kPi * sqr(double(radius));
-    EXPECT_GT(statistics::t_test(crossings, traced.shape->area() / scale, 1e-5), kLevel)
+    EXPECT_GT(statistics::t_test(crossings, traced.shape->area() / scale, 1e-5), kShapeLevel)
         << crossings.mean() * scale << " for " << traced.shape->area();
   }
 }
@@ -92,7 +92,8 @@ TEST_P(EveryShape, SamplesLieOnTheSurfaceWithTheirDensity) {
       ASSERT_TRUE(glm::all(glm::lessThanEqual(p.position, bounds.upper + 1e-5f)));
       area.add(1 / pdf);
     }
-    EXPECT_GT(statistics::t_test(area, shape->area(), 2e-5 * shape->area()), kLevel) << area.mean();
+    EXPECT_GT(statistics::t_test(area, shape->area(), 2e-5 * shape->area()), kShapeLevel)
+        << area.mean();
   }
 }
 
@@ -152,7 +153,7 @@ TEST_P(EveryShape, RaysDoNotMeetTheSurfaceTheyLeave) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EveryShape, testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(All, EveryShape, ::testing::ValuesIn(kShapeCases),
                          [](const auto& test) { return test.param.name; });
 
 TEST(Shape, RaysInsideASphereMeetTheOtherSide) {
@@ -313,7 +314,7 @@ TEST(Shape, BrokenGeometryIsAnError) {
   EXPECT_THROW(make_shape(broken([&](Mesh& m) { m.triangles.clear(); })), Error);
   EXPECT_THROW(make_shape(describe(MeshShape{})), Error);
   EXPECT_THROW(make_shape(describe(InstanceShape{0})), Error);
-  for (const Case& c : kCases) {
+  for (const ShapeCase& c : kShapeCases) {
     Mat4 singular(1);
     singular[2] = singular[1];
     EXPECT_THROW(make_shape(describe(c.geometry, singular)), Error);

@@ -27,13 +27,13 @@ std::shared_ptr<SceneDescription> open_with_integrator(const std::string& type) 
 
 TEST(OpenScene, warns_of_an_integrator_that_is_not_there) {
   EXPECT_THAT(open_with_integrator("path_sms_ss")->warnings,
-              testing::ElementsAre(testing::HasSubstr("'path_sms_ss' is not available")));
-  EXPECT_THAT(open_with_integrator("volpath")->warnings, testing::IsEmpty());
+              ::testing::ElementsAre(::testing::HasSubstr("'path_sms_ss' is not available")));
+  EXPECT_THAT(open_with_integrator("volpath")->warnings, ::testing::IsEmpty());
 }
 
 TEST(OpenScene, says_that_another_integrator_of_ours_is_asked_for) {
   EXPECT_THAT(open_with_integrator("bdpt")->warnings,
-              testing::ElementsAre(testing::HasSubstr("asks for the integrator 'bdpt'")));
+              ::testing::ElementsAre(::testing::HasSubstr("asks for the integrator 'bdpt'")));
 }
 
 TEST(OpenScene, does_not_wait_for_a_pipe) {
@@ -49,7 +49,7 @@ TEST(OpenScene, does_not_wait_for_a_pipe) {
 
 TEST(OpenScene, direct_light_is_paths_of_two_segments) {
   EXPECT_EQ(open_with_integrator("direct")->hints.max_depth, 2);
-  EXPECT_THAT(open_with_integrator("direct")->warnings, testing::IsEmpty());
+  EXPECT_THAT(open_with_integrator("direct")->warnings, ::testing::IsEmpty());
 }
 
 }  // namespace

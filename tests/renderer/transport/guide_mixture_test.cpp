@@ -17,10 +17,8 @@ namespace {
 using guide_test::LitScene;
 using statistics::Moments;
 
-constexpr double kFalseAlarms = 1e-3;
-
 /// Cells of first segments: halves of the light in x and z, and where on the floor they lead.
-constexpr int kCells = 4 * 16;
+constexpr int kMixtureCells = 4 * 16;
 int cell_of(Vec3 origin, Vec3 direction, Vec3 center) {
   const float t = (-1 - origin.y) / direction.y;
   const Vec3 floor = origin + t * direction;
@@ -62,7 +60,7 @@ class Cells {
   }
 
  private:
-  std::vector<double> sums_[kCells];
+  std::vector<double> sums_[kMixtureCells];
   size_t count_ = 0;
 };
 
@@ -80,7 +78,7 @@ TEST_P(GuideMixtureTest, FirstSegmentsAreDistributedAsTheDensitySays) {
   }
   const Vec3 center = GetParam().start;
   const double level = statistics::sidak_level(
-      kFalseAlarms, guide_test::lit_scenes().size() * guides_.size() * kCells);
+      statistics::kFalseAlarms, guide_test::lit_scenes().size() * guides_.size() * kMixtureCells);
   for (uint32_t j = 0; j < mixture_->size(); ++j) {
     Cells guided;
     Cells ordinary;
@@ -115,7 +113,7 @@ TEST_P(GuideMixtureTest, FirstSegmentsAreDistributedAsTheDensitySays) {
     }
     double compared = 0;
     double all = 0;
-    for (int c = 0; c < kCells; ++c) {
+    for (int c = 0; c < kMixtureCells; ++c) {
       const Moments found = guided.moments(c);
       const Moments expected = ordinary.moments(c);
       all += found.mean();
@@ -165,7 +163,7 @@ TEST_P(GuideMixtureTest, DirectionsFillTheirCones) {
     const Vec3 anywhere = square_to_sphere(rng.next_vec2());
     inside.add(mixture_->pdf_direction(guide, vertex, anywhere) / kUniformSpherePdf);
   }
-  EXPECT_GT(statistics::t_test(inside, 1), kFalseAlarms);
+  EXPECT_GT(statistics::t_test(inside, 1), statistics::kFalseAlarms);
 }
 
 /// Of whole prefixes, where all guides but one have another length or other events.

@@ -16,7 +16,7 @@ namespace {
 const Color kRadiance(6, 5, 4);
 
 template <typename Model>
-void add_emitter(SceneDescription& scene, Model model) {
+void add_guide_emitter(SceneDescription& scene, Model model) {
   scene.emitters.push_back({.name = "", .line = 0, .model = model});
 }
 
@@ -49,13 +49,13 @@ Mat4 spot_transform() {
 void add_projector(SceneDescription& scene) {
   auto image = std::make_shared<Image>(4, 4, 3);
   for (int i = 0; i < 48; ++i) image->data()[i] = 1 + 0.3f * static_cast<float>(i * i % 5);
-  add_emitter(scene, ProjectorEmitter{spot_transform(), image, 1.4f, 3});
+  add_guide_emitter(scene, ProjectorEmitter{spot_transform(), image, 1.4f, 3});
 }
 
 void add_environment(SceneDescription& scene) {
   auto image = std::make_shared<Image>(8, 4, 3);
   for (int i = 0; i < 96; ++i) image->data()[i] = 0.2f + 0.5f * static_cast<float>(i * i % 7);
-  add_emitter(scene, EnvironmentEmitter{image, Mat4(1), 1});
+  add_guide_emitter(scene, EnvironmentEmitter{image, Mat4(1), 1});
 }
 
 void add_sun(SceneDescription& scene) {
@@ -63,7 +63,7 @@ void add_sun(SceneDescription& scene) {
   sun.sky = false;
   sun.sun_direction = {0.1f, 1, 0.2f};
   sun.sun_radius_scale = 60;
-  add_emitter(scene, sun);
+  add_guide_emitter(scene, sun);
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ const std::vector<LitScene>& lit_scenes() {
       {"covered_sphere", add_covered_light, {0, 0.75f, 0}},
       {"point",
        [](SceneDescription& scene) {
-         add_emitter(scene, PointEmitter{{0, 0.9f, 0}, kRadiance});
+         add_guide_emitter(scene, PointEmitter{{0, 0.9f, 0}, kRadiance});
        },
        {0, 0.9f, 0}},
       {"spot",
@@ -85,17 +85,17 @@ const std::vector<LitScene>& lit_scenes() {
          spot.intensity = kRadiance;
          spot.cutoff_angle = 0.9f;
          spot.beam_width = 0.5f;
-         add_emitter(scene, spot);
+         add_guide_emitter(scene, spot);
        },
        {0, 0.9f, 0}},
       {"projector", add_projector, {0, 0.9f, 0}},
       {"directional",
        [](SceneDescription& scene) {
-         add_emitter(scene, DirectionalEmitter{{-0.1f, -1, -0.2f}, kRadiance});
+         add_guide_emitter(scene, DirectionalEmitter{{-0.1f, -1, -0.2f}, kRadiance});
        },
        {}},
       {"constant",
-       [](SceneDescription& scene) { add_emitter(scene, ConstantEmitter{kRadiance}); },
+       [](SceneDescription& scene) { add_guide_emitter(scene, ConstantEmitter{kRadiance}); },
        {}},
       {"environment", add_environment, {}},
       {"sun", add_sun, {}},

@@ -13,30 +13,30 @@ namespace {
 using guide_test::LitScene;
 using statistics::Moments;
 
-constexpr double kFalseAlarms = 1e-3;
-constexpr int kRuns = 24;
-constexpr size_t kPaths = 8000;
-constexpr int kLengths = 4;
-constexpr int kCells = 4;
+constexpr int kWalkRuns = 24;
+constexpr size_t kWalkPaths = 8000;
+constexpr int kWalkLengths = 4;
+constexpr int kWalkCells = 4;
 
 /// Power by place on the floor and number of segments, of independent runs.
 std::vector<Moments> powers(const Scene& scene, const std::optional<GuidedEmission>& guided) {
-  std::vector<Moments> result(kLengths * kCells * kCells);
+  std::vector<Moments> result(kWalkLengths * kWalkCells * kWalkCells);
   Parallel parallel(2);
   PhotonTracer tracer;
-  for (int run = 0; run < kRuns; ++run) {
+  for (int run = 0; run < kWalkRuns; ++run) {
     std::vector<double> sums(result.size());
-    const LightPathRange range{77, static_cast<uint64_t>(run), kPaths, kLengths, guided};
+    const LightPathRange range{77, static_cast<uint64_t>(run), kWalkPaths, kWalkLengths, guided};
     for (const Photon& photon : tracer.trace(scene, range, parallel)) {
       const Vec3 p = photon.position;
       if (p.y > -0.999f) continue;
       const auto along = [](float x) {
-        return std::clamp(static_cast<int>((x + 1) * kCells / 2), 0, kCells - 1);
+        return std::clamp(static_cast<int>((x + 1) * kWalkCells / 2), 0, kWalkCells - 1);
       };
-      const int length = std::min(photon.length(), kLengths) - 1;
-      sums[(length * kCells + along(p.x)) * kCells + along(p.z)] += luminance(photon.power());
+      const int length = std::min(photon.length(), kWalkLengths) - 1;
+      sums[(length * kWalkCells + along(p.x)) * kWalkCells + along(p.z)] +=
+          luminance(photon.power());
     }
-    for (size_t i = 0; i < sums.size(); ++i) result[i].add(sums[i] / kPaths);
+    for (size_t i = 0; i < sums.size(); ++i) result[i].add(sums[i] / kWalkPaths);
   }
   return result;
 }
@@ -65,7 +65,7 @@ TEST_P(GuidedWalkAgreement, PhotonsHaveTheSamePower) {
   const std::vector<Moments> expected = powers(*scene, std::nullopt);
   const std::vector<Tried> tried = tried_guides(*scene, GetParam());
   const double level = statistics::sidak_level(
-      kFalseAlarms, guide_test::lit_scenes().size() * tried.size() * expected.size());
+      statistics::kFalseAlarms, guide_test::lit_scenes().size() * tried.size() * expected.size());
   for (const Tried& guides : tried) {
     const auto mixture = GuideMixture::build(scene, guides.guides);
     ASSERT_EQ(mixture->size(), guides.guides.size());
@@ -96,7 +96,7 @@ TEST(GuidedWalk, CausticNeedsFewerPaths) {
   Parallel parallel(2);
   PhotonTracer tracer;
   const auto caustic_photons = [&](const std::optional<GuidedEmission>& guided) {
-    const auto& photons = tracer.trace(*scene, {1, 0, kPaths, 4, guided}, parallel);
+    const auto& photons = tracer.trace(*scene, {1, 0, kWalkPaths, 4, guided}, parallel);
     return std::ranges::count_if(photons, [](const Photon& photon) { return photon.caustic(); });
   };
   EXPECT_GT(caustic_photons(GuidedEmission{mixture.get(), 0.5f}),

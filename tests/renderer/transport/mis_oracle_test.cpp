@@ -52,7 +52,7 @@ struct Recorder {
 };
 
 /// What can be told about agreement over many closures.
-struct Agreement {
+struct OracleAgreement {
   size_t compared = 0;
   double largest = 0;  // difference relative to the weight
   size_t above = 0;    // 1e-4
@@ -107,7 +107,7 @@ class Closures {
     }
   }
 
-  const Agreement& agreement() const { return agreement_; }
+  const OracleAgreement& agreement() const { return agreement_; }
 
  private:
   void run(TransportMode mode, Subpath start, Walk& walk, Vec3* origin) {
@@ -275,7 +275,7 @@ class Closures {
   TechniqueCounts counts_;
   MisWeights weights_;
   float eta_;
-  Agreement agreement_;
+  OracleAgreement agreement_;
 };
 
 // -- Scenes. A room with one wall left out, so that light from outside comes in.
@@ -307,7 +307,7 @@ struct OracleCase {
   std::function<void(SceneDescription&)> change;
 };
 
-const std::vector<OracleCase>& cases() {
+const std::vector<OracleCase>& oracle_cases() {
   static const std::vector<OracleCase> list = {
       {"area", [](SceneDescription&) {}},
       {"sphere_light",
@@ -392,7 +392,7 @@ TEST_P(MisOracle, WeightsOfAllClosures) {
     if (merge_direct) counts.independent_angle = 0.5f;
     Closures closures(scene, counts, 0.02f);
     for (uint64_t i = 0; i < 8000; ++i) closures.try_path(i);
-    const Agreement& agreement = closures.agreement();
+    const OracleAgreement& agreement = closures.agreement();
     EXPECT_GT(agreement.compared, 20000u);
     // Single precision leaves a few short segments, where it cannot tell directions, further off.
     EXPECT_LE(static_cast<double>(agreement.above), 1e-3 * static_cast<double>(agreement.compared))
@@ -404,7 +404,7 @@ TEST_P(MisOracle, WeightsOfAllClosures) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, MisOracle, ::testing::ValuesIn(cases()),
+INSTANTIATE_TEST_SUITE_P(Scenes, MisOracle, ::testing::ValuesIn(oracle_cases()),
                          [](const auto& test) { return test.param.name; });
 
 }  // namespace

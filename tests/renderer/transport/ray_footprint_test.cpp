@@ -109,7 +109,7 @@ ShapeDescription ball() {
   return shape;
 }
 
-struct Case {
+struct FootprintCase {
   const char* name;
   ShapeDescription (*make)();
   Mat4 to_world;
@@ -119,7 +119,7 @@ struct Case {
 
 const Mat4 kStretch = glm::scale(glm::rotate(Mat4(1), 0.4f, Vec3(0, 0, 1)), Vec3(1.1f, 0.7f, 0.9f));
 
-const Case kCases[] = {
+const FootprintCase kFootprintCases[] = {
     {"mirror ball", ball, Mat4(1), false, false},
     {"glass ball", ball, Mat4(1), true, false},
     {"mirror ellipsoid", ball, kStretch, false, false},
@@ -130,7 +130,7 @@ const Case kCases[] = {
     {"smooth mesh of glass, instance", smooth_ball, kStretch, true, true},
 };
 
-std::shared_ptr<const Scene> scene_of(const Case& which) {
+std::shared_ptr<const Scene> scene_of(const FootprintCase& which) {
   SceneDescription scene = testing::empty_scene(64, 64);
   BsdfDescription bsdf{.name = "", .line = 0, .model = ConductorBsdf{}};
   if (which.is_glass) bsdf.model = DielectricBsdf{};
@@ -152,7 +152,7 @@ std::shared_ptr<const Scene> scene_of(const Case& which) {
 }
 
 TEST(RayFootprint, is_that_of_rays_traced_beside) {
-  for (const Case& which : kCases) {
+  for (const FootprintCase& which : kFootprintCases) {
     const auto scene = scene_of(which);
     int bent = 0, right = 0, changed = 0;
     for (int y = 0; y < 64; y += 3) {

@@ -33,7 +33,7 @@ void for_pairs(const Bsdf& bsdf, const SurfacePoint& point, Check check) {
   }
 }
 
-class BsdfAdjoint : public testing::TestWithParam<Case> {
+class BsdfAdjoint : public ::testing::TestWithParam<Case> {
  protected:
   std::shared_ptr<const Bsdf> bsdf_ = GetParam().build();
 };
@@ -89,7 +89,7 @@ TEST_P(BsdfAdjoint, ImportanceIsTheTransposeOfRadiance) {
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryBsdf, BsdfAdjoint, testing::ValuesIn(all_cases()),
+INSTANTIATE_TEST_SUITE_P(EveryBsdf, BsdfAdjoint, ::testing::ValuesIn(all_cases()),
                          [](const auto& test) { return test.param.name; });
 
 TEST(Scattering, RadianceIsCompressedOnEntryAndImportanceIsNot) {

@@ -12,8 +12,8 @@ namespace {
 using statistics::Moments;
 using statistics::t_test;
 
-constexpr int kSamples = 20000;
-constexpr double kLevel = 1e-5;  // per test of about a hundred: false alarms 1e-3 together
+constexpr int kEnergySamples = 20000;
+constexpr double kEnergyLevel = 1e-5;  // per test of about a hundred: false alarms 1e-3 together
 
 const float kAngles[] = {1, 30, 60, 80, 88, 110, 135, 150, 179};
 
@@ -21,7 +21,7 @@ Moments sampled_albedo(const Bsdf& bsdf, Vec3 wo) {
   const SurfacePoint point = flat_point(bsdf);
   Rng rng(11, 0, 0);
   Moments moments;
-  for (int i = 0; i < kSamples; ++i) {
+  for (int i = 0; i < kEnergySamples; ++i) {
     const float u_lobe = rng.next_float();
     const auto drawn = bsdf.sample(point, wo, u_lobe, rng.next_vec2());
     moments.add(drawn ? max_component(drawn->weight) : 0.0);
@@ -29,7 +29,7 @@ Moments sampled_albedo(const Bsdf& bsdf, Vec3 wo) {
   return moments;
 }
 
-class BsdfEnergy : public testing::TestWithParam<Case> {};
+class BsdfEnergy : public ::testing::TestWithParam<Case> {};
 
 TEST_P(BsdfEnergy, NoMoreLightLeavesThanArrives) {
   const auto bsdf = GetParam().build();
@@ -46,7 +46,7 @@ TEST_P(BsdfEnergy, AlbedoIsAShare) {
   EXPECT_LE(max_component(albedo), 1.0f);
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryBsdf, BsdfEnergy, testing::ValuesIn(all_cases()),
+INSTANTIATE_TEST_SUITE_P(EveryBsdf, BsdfEnergy, ::testing::ValuesIn(all_cases()),
                          [](const auto& test) { return test.param.name; });
 
 TEST(WhiteFurnace, LosslessSurfacesReturnEverything) {
@@ -61,12 +61,12 @@ TEST(WhiteFurnace, LosslessSurfacesReturnEverything) {
   for (const auto& bsdf : front) {
     for (const float theta : {1.0f, 30.0f, 60.0f, 85.0f}) {
       const Moments albedo = sampled_albedo(*bsdf, direction(theta, 10));
-      EXPECT_GT(t_test(albedo, 1, 1e-5), kLevel);
+      EXPECT_GT(t_test(albedo, 1, 1e-5), kEnergyLevel);
     }
   }
   for (const float theta : {100.0f, 125.0f, 140.0f, 179.0f}) {
     EXPECT_GT(t_test(sampled_albedo(*build(DielectricBsdf{}), direction(theta, 10)), 1, 1e-5),
-              kLevel);
+              kEnergyLevel);
   }
 }
 
@@ -100,7 +100,7 @@ TEST(WhiteFurnace, PlasticWithAWhiteBaseReturnsEverything) {
     const auto drawn = bsdf->sample(point, wo, u_lobe, rng.next_vec2());
     moments.add(drawn ? drawn->weight.x : 0.0);
   }
-  EXPECT_GT(t_test(moments, 1, 1e-3), kLevel);
+  EXPECT_GT(t_test(moments, 1, 1e-3), kEnergyLevel);
 }
 
 TEST(DeltaLobes, AreChosenAsOftenAsTheyReflect) {
@@ -117,10 +117,11 @@ TEST(DeltaLobes, AreChosenAsOftenAsTheyReflect) {
     }
     return reflections;
   };
-  EXPECT_GT(t_test(count(*build(glass)), 0.04), kLevel);
+  EXPECT_GT(t_test(count(*build(glass)), 0.04), kEnergyLevel);
   EXPECT_GT(t_test(count(*build(ThinDielectricBsdf{.int_ior = 1.5f, .ext_ior = 1})), 0.08 / 1.04),
-            kLevel);
-  EXPECT_GT(t_test(count(*build(glass, MaskBsdf{.opacity = {0.5f}, .nested = 0})), 0.02), kLevel);
+            kEnergyLevel);
+  EXPECT_GT(t_test(count(*build(glass, MaskBsdf{.opacity = {0.5f}, .nested = 0})), 0.02),
+            kEnergyLevel);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ struct Facets {
   MicrofacetDistribution build() const { return {kind, alpha_u, alpha_v}; }
 };
 
-class MicrofacetTest : public testing::TestWithParam<Facets> {};
+class MicrofacetTest : public ::testing::TestWithParam<Facets> {};
 
 double total(const std::vector<double>& integrals) {
   double sum = 0;
@@ -70,12 +70,12 @@ TEST_P(MicrofacetTest, VisibleNormalsAreDrawnAsTheirDensitySays) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, MicrofacetTest,
-                         testing::Values(Facets{Microfacet::Ggx, 0.1f, 0.1f},
-                                         Facets{Microfacet::Ggx, 0.7f, 0.7f},
-                                         Facets{Microfacet::Ggx, 0.15f, 0.6f},
-                                         Facets{Microfacet::Beckmann, 0.1f, 0.1f},
-                                         Facets{Microfacet::Beckmann, 0.7f, 0.7f},
-                                         Facets{Microfacet::Beckmann, 0.5f, 0.15f}));
+                         ::testing::Values(Facets{Microfacet::Ggx, 0.1f, 0.1f},
+                                           Facets{Microfacet::Ggx, 0.7f, 0.7f},
+                                           Facets{Microfacet::Ggx, 0.15f, 0.6f},
+                                           Facets{Microfacet::Beckmann, 0.1f, 0.1f},
+                                           Facets{Microfacet::Beckmann, 0.7f, 0.7f},
+                                           Facets{Microfacet::Beckmann, 0.5f, 0.15f}));
 
 TEST(Fresnel, DielectricAtTheAnglesThatHaveClosedForms) {
   EXPECT_NEAR(fresnel_dielectric(1, 1.5f).reflectance, 0.04f, 1e-6f);   // ((η-1)/(η+1))²

@@ -11,15 +11,13 @@
 namespace guidelight::bsdf_test {
 namespace {
 
-constexpr int kSamples = 50000;
-/// False alarm rate of all chi-square tests of this file together.
-constexpr double kFamilyLevel = 1e-3;
+constexpr int kBsdfSamples = 50000;
 
 const Vec3 kIncident[] = {direction(0.5f, 10), direction(40, 100), direction(75, 230),
                           direction(88, 300),  direction(130, 45), direction(170, 200)};
 
 /// Shading frame rotated against the axes, geometric normal tilted by 15° against it.
-SurfacePoint tilted_point(const Bsdf& bsdf) {
+SurfacePoint shading_point(const Bsdf& bsdf) {
   SurfacePoint point = flat_point(bsdf);
   point.frame = Frame::from_normal_and_tangent(direction(50, 70), Vec3(1, 0, 0));
   point.geometric_normal = point.frame.to_world(direction(15, 120));
@@ -29,7 +27,7 @@ SurfacePoint tilted_point(const Bsdf& bsdf) {
 /// Outcomes of sampling: the cells of the sphere, then these.
 enum Outcome { kReflected, kTransmitted, kOutcomeCount };
 
-class BsdfSampling : public testing::TestWithParam<Case> {
+class BsdfSampling : public ::testing::TestWithParam<Case> {
  protected:
   std::shared_ptr<const Bsdf> bsdf_ = GetParam().build();
 };
@@ -52,7 +50,7 @@ double chi_square(const SurfacePoint& point, Vec3 wo_local, TransportMode mode, 
   std::vector<double> observed(grid.size() + kOutcomeCount);
   double drawn_count = 0;
   Rng rng(seed, 0, 0);
-  for (int i = 0; i < kSamples; ++i) {
+  for (int i = 0; i < kBsdfSamples; ++i) {
     const float u_lobe = rng.next_float();
     const auto drawn = scattering.sample(u_lobe, rng.next_vec2());
     if (!drawn) continue;
@@ -73,8 +71,9 @@ double chi_square(const SurfacePoint& point, Vec3 wo_local, TransportMode mode, 
   total += expected[grid.size()] + expected[grid.size() + 1];
 
   // What is drawn at all, within 5 standard deviations and the quadrature's error …
-  const double drawn_share = drawn_count / kSamples;
-  EXPECT_NEAR(drawn_share, total, 1e-3 + 5 * std::sqrt(drawn_share * (1 - drawn_share) / kSamples));
+  const double drawn_share = drawn_count / kBsdfSamples;
+  EXPECT_NEAR(drawn_share, total,
+              1e-3 + 5 * std::sqrt(drawn_share * (1 - drawn_share) / kBsdfSamples));
   // … and where it goes.
   for (double& e : expected) e *= drawn_count / total;
   if (drawn_count == 0) return 1;
@@ -83,9 +82,9 @@ double chi_square(const SurfacePoint& point, Vec3 wo_local, TransportMode mode, 
 
 TEST_P(BsdfSampling, DirectionsAndLobesAreDistributedAsPdfSays) {
   const size_t tests = all_cases().size() * std::size(kIncident) * 2;
-  const double level = statistics::sidak_level(kFamilyLevel, tests);
+  const double level = statistics::sidak_level(statistics::kFalseAlarms, tests);
   const SurfacePoint flat = flat_point(*bsdf_);
-  const SurfacePoint tilted = tilted_point(*bsdf_);
+  const SurfacePoint tilted = shading_point(*bsdf_);
   uint64_t seed = 0;
   for (const Vec3 wo : kIncident) {
     EXPECT_GT(chi_square(flat, wo, TransportMode::Radiance, ++seed), level)
@@ -97,7 +96,7 @@ TEST_P(BsdfSampling, DirectionsAndLobesAreDistributedAsPdfSays) {
 
 TEST_P(BsdfSampling, WeightIsValueOverPdf) {
   for (const TransportMode mode : {TransportMode::Radiance, TransportMode::Importance}) {
-    const SurfacePoint point = tilted_point(*bsdf_);
+    const SurfacePoint point = shading_point(*bsdf_);
     for (const Vec3 wo_local : kIncident) {
       const Vec3 wo = point.frame.to_world(wo_local);
       const Scattering scattering(point, wo, mode);
@@ -155,7 +154,7 @@ TEST_P(BsdfSampling, LobesAreAnnounced) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryBsdf, BsdfSampling, testing::ValuesIn(all_cases()),
+INSTANTIATE_TEST_SUITE_P(EveryBsdf, BsdfSampling, ::testing::ValuesIn(all_cases()),
                          [](const auto& test) { return test.param.name; });
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace {
 
 using namespace light_test;
 
-class DirectSampling : public testing::TestWithParam<Case> {
+class DirectSampling : public ::testing::TestWithParam<Case> {
  protected:
   Lamp lamp_ = GetParam().make();
 
@@ -87,8 +87,8 @@ TEST_P(DirectSampling, SamplesSayWhatRaysFind) {
   EXPECT_GT(compared / 1000, 5000);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, DirectSampling, testing::ValuesIn(non_delta_lights()), kCaseName);
-INSTANTIATE_TEST_SUITE_P(All, DistantDirectSampling, testing::ValuesIn(distant_lights()),
+INSTANTIATE_TEST_SUITE_P(All, DirectSampling, ::testing::ValuesIn(non_delta_lights()), kCaseName);
+INSTANTIATE_TEST_SUITE_P(All, DistantDirectSampling, ::testing::ValuesIn(distant_lights()),
                          kCaseName);
 
 }  // namespace

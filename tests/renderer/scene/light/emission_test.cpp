@@ -11,7 +11,7 @@ namespace {
 
 using namespace light_test;
 
-class Emission : public testing::TestWithParam<Case> {
+class Emission : public ::testing::TestWithParam<Case> {
  protected:
   Lamp lamp_ = GetParam().make();
   const double level_ = statistics::sidak_level(kFamilyLevel, all_lights().size());
@@ -141,7 +141,7 @@ TEST_P(Emission, PowerIsWhatIsEmitted) {
       << emitted.mean() << " for " << power;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Emission, testing::ValuesIn(all_lights()), kCaseName);
+INSTANTIATE_TEST_SUITE_P(All, Emission, ::testing::ValuesIn(all_lights()), kCaseName);
 
 }  // namespace
 }  // namespace guidelight
