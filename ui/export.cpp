@@ -23,8 +23,8 @@ void Exporter::save_png(std::shared_ptr<const Picture> picture) {
 
 void Exporter::save_exr(bool half_precision) {
   const auto picture = document_.picture();
-  if (!picture) {
-    document_.messages().warning("There is no picture to export yet.");
+  if (!picture || picture->coarse) {
+    document_.messages().warning("There is no picture of the full size to export yet.");
     return;
   }
   write(next_path("", "exr"),

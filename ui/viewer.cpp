@@ -232,7 +232,7 @@ void Viewer::draw_views() {
   if (views_.shows_render()) {
     begin_area("view", views_.render(), Padding::None, palette::kBackdrop);
     view_.draw(document_, toolbox_);
-    if (document_.has_scene() && document_.guides()->empty()) {
+    if (document_.has_scene() && document_.guides()->empty() && !document_.technique_view().shown) {
       first_hint_.draw(*ImGui::GetWindowDrawList(), from_imgui(views_.render().corner),
                        views_.render().size.x);
     }
@@ -295,6 +295,7 @@ void Viewer::handle_key(int key, int modifiers, bool is_repeat) {
   frames_due_ = kFramesAfterEvent;
   if (animating() || file_dialog_.is_open()) return;
   const auto command = tool_command_for(key, modifiers);
+  if (command == ToolCommand::Cancel && close_lists()) return;
   if (command == ToolCommand::Cancel && document_.technique_view().shown) {
     leave_techniques();
     return;

@@ -24,7 +24,7 @@ double error_goal(const RenderTargets& targets, double error) {
 void draw_error(const Document& document) {
   const Snapshot& status = document.status();
   if (status.passes < 2 || !(status.relative_error > 0)) {
-    readout("Error", "unknown before the second pass");
+    readout("Error", "after two passes");
     return;
   }
   readout("Error", format_percent(status.relative_error),
@@ -57,12 +57,15 @@ void draw_statistics_panel(const Document& document) {
   if (status.seconds > 0) {
     readout("Samples", format_count(static_cast<double>(status.samples) / status.seconds) + "/s",
             "Of pixels, mean since the render began");
+  }
+  if (status.rays_per_second > 0) {
     readout("Rays", format_count(status.rays_per_second) + "/s",
             "Traced by Embree for paths, connections and shadows, mean since the render began");
   }
   draw_error(document);
-  if (document.picture() && document.picture()->photons) {
-    const PhotonCloud& photons = *document.picture()->photons;
+  if (const auto& picture = document.picture();
+      picture && picture->photons && picture->photons->total > 0) {
+    const PhotonCloud& photons = *picture->photons;
     readout("Photons",
             format_count(static_cast<double>(photons.total)) + " in " + format_bytes(photons.bytes),
             "Of one pass");
