@@ -93,6 +93,8 @@ class SoakTest : public ViewerTest {
   void come_back(const std::string& picture) {
     driver_->resize_window({1280, 720});
     for (int i = 0; i < 4; ++i) driver_->press_key("Escape");
+    // Clicks are taken one per frame, so that many of them wait on a busy machine.
+    ASSERT_TRUE(wait_until([&] { return !save_png().empty(); }, 120s)) << "it does not answer";
     ASSERT_NO_FATAL_FAILURE(drop(scenes_.at(1), "cornell"));
     ASSERT_NO_FATAL_FAILURE(drop(picture, "default"));
     // Whatever the exposure is now.

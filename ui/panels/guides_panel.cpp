@@ -113,7 +113,10 @@ void draw_guide_row(Document& document, size_t i, double total) {
 }
 
 void draw_list(Document& document) {
-  if (!ImGui::BeginTable("guides", 5, ImGuiTableFlags_SizingFixedFit)) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {scaled(4), ImGui::GetStyle().CellPadding.y});
+  const bool open = ImGui::BeginTable("guides", 5, ImGuiTableFlags_SizingFixedFit);
+  ImGui::PopStyleVar();
+  if (!open) return;
   ImGui::TableSetupColumn("on");
   ImGui::TableSetupColumn("color");
   ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch);
