@@ -47,7 +47,9 @@ void Exporter::write(const std::string& path, std::function<void(const std::stri
       writer(path);
       queue_.post([this, path] { document_.messages().note("Wrote " + path); });
     } catch (const std::exception& error) {
-      queue_.post([this, text = std::string(error.what())] { document_.messages().error(text); });
+      queue_.post([this, text = sentence_about(error, "Cannot write '" + path + "'")] {
+        document_.messages().error(text);
+      });
     }
   });
 }

@@ -5,13 +5,13 @@
 namespace guidelight {
 namespace {
 
-constexpr std::chrono::seconds kCalm{1};  // also the least time between two
+constexpr std::chrono::seconds kInterval{2};
 
 }  // namespace
 
-void MemoryKeeper::update(uint64_t job, Clock::time_point now) {
-  if (job != job_ && !due_) due_ = now + kCalm;
-  job_ = job;
+void MemoryKeeper::update(uint64_t picture, Clock::time_point now) {
+  if (picture != picture_ && !due_) due_ = now + kInterval;
+  picture_ = picture;
   if (!due_ || now < *due_) return;
   due_.reset();
   worker_.run(return_free_pages_to_the_system);

@@ -9,19 +9,19 @@
 namespace guidelight {
 
 /// Keeps the program from growing while renders come and go: what they used is freed in pieces all
-/// over the allocator's arenas, which would keep it for good. A second after a render has taken the
-/// place of another, free pages are given back.
+/// over the allocator's arenas, which would keep it for good. As long as there are new pictures, and
+/// once after the last, free pages are given back.
 class MemoryKeeper {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// To be called once per frame, with the number of the render that is shown.
-  void update(uint64_t job, Clock::time_point now);
+  /// To be called once per frame, with the number of the latest picture.
+  void update(uint64_t picture, Clock::time_point now);
   /// Whether it wants to be called again without an event.
   bool pending() const { return due_.has_value(); }
 
  private:
-  uint64_t job_ = 0;
+  uint64_t picture_ = 0;
   std::optional<Clock::time_point> due_;
   BackgroundThread worker_;  // arenas are locked meanwhile, but the window must not wait for all
 };

@@ -142,7 +142,7 @@ void Viewer::run() {
     display_.update(document_, frame_began);
     comparison_.update(frame_began);
     techniques_.update(frame_began);
-    memory_.update(document_.status().job, frame_began);
+    memory_.update(document_.status().generation, frame_began);
     if (document_.picture()) {
       developer_.request(document_.picture(), document_.shared_picture_job(),
                          document_.view().layer, document_.view().current());

@@ -104,7 +104,7 @@ class SoakTest : public ViewerTest {
   /// [MB] of the viewer at rest, once it has given back what earlier renders used.
   double megabytes_while_paused() {
     driver_->press_key("space");
-    std::this_thread::sleep_for(2s);
+    std::this_thread::sleep_for(4s);
     const double megabytes = 1e-6 * static_cast<double>(viewer_->resident_bytes());
     driver_->press_key("space");
     return megabytes;

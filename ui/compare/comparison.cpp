@@ -73,7 +73,9 @@ void Comparison::load_reference(const std::string& path) {
         }
       });
     } catch (const std::exception& error) {
-      queue_.post([this, text = std::string(error.what())] { document_.messages().error(text); });
+      queue_.post([this, text = sentence_about(error, "Cannot read '" + path + "'")] {
+        document_.messages().error(text);
+      });
     }
   });
 }
