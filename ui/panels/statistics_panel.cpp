@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "renderer/parallel/process_memory.h"
 #include "ui/forecast.h"
 #include "ui/format.h"
@@ -42,7 +44,9 @@ void draw_chains(const ChainStatistics& chains) {
   readout("Proposals", format_count(static_cast<double>(chains.steps)), "Since the chains began");
   std::vector<ProposalRow> rows;
   for (const ProposalStatistics& mutation : chains.mutations) {
-    rows.push_back({mutation.name, mutation});
+    std::string name = mutation.name;  // a key
+    std::ranges::replace(name, '_', ' ');
+    rows.push_back({name, mutation});
   }
   draw_proposal_table("mutations", "Mutation", rows);
 }
