@@ -10,6 +10,7 @@
 #include "renderer/metropolis/harvest.h"
 #include "renderer/metropolis/pilot.h"
 #include "renderer/transport/guide_check.h"
+#include "renderer/transport/guide_color.h"
 #include "renderer/transport/guide_trace.h"
 
 namespace guidelight {
@@ -151,6 +152,7 @@ void TraceCommand::run() const {
   }
   std::vector<GuidePath> list;
   if (std::filesystem::exists(output)) list = read_guides(output);
+  result.color = guide_color(list.size());
   list.push_back(result);
   write_guides(output, list);
   fmt::print("{}: {} guides\n", output, list.size());
@@ -179,6 +181,7 @@ void WaysOutput::take(const std::vector<HarvestedPath>& found) const {
   for (const HarvestedPath& path : found) {
     fmt::print("{:6.2f} %  {}\n", 100 * path.share, path.guide.name);
     list.push_back(path.guide);
+    list.back().color = guide_color(list.size() - 1);
   }
   if (file.empty()) return;
   write_guides(file, list);

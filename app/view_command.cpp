@@ -1,10 +1,10 @@
 #include <fmt/core.h>
-#include <malloc.h>
 
 #include <algorithm>
 
 #include "app/commands.h"
 #include "app/render_arguments.h"
+#include "renderer/parallel/process_memory.h"
 #include "ui/viewer.h"
 
 namespace guidelight {
@@ -24,16 +24,6 @@ void print_frame_times(std::vector<double> seconds) {
   };
   fmt::print("{} frames: median {:.1f} ms, 95 % below {:.1f} ms, longest {:.1f} ms\n",
              seconds.size(), at(0.5), at(0.95), at(1));
-}
-
-/// Pictures come and go for hours, in all sizes and from many threads. glibc would soon keep blocks
-/// of up to 32 MB in its arenas, which fall to pieces and grow; so large blocks always are the
-/// system's.
-void return_large_blocks_to_the_system() {
-#ifdef __GLIBC__
-  constexpr int kLarge = 1 << 20;  // [bytes]
-  mallopt(M_MMAP_THRESHOLD, kLarge);
-#endif
 }
 
 int open_window(ViewArguments& arguments) {

@@ -1,10 +1,15 @@
 #include "ui/background_thread.h"
 
-#include <exception>
 #include <new>
 #include <utility>
 
 namespace guidelight {
+
+std::string sentence_about(const std::exception& error, const std::string& attempt) {
+  const bool is_short_of_memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+  return is_short_of_memory ? attempt + ": there is not enough memory; close other programs."
+                            : error.what();
+}
 
 BackgroundThread::BackgroundThread() : thread_([this] { work(); }) {}
 

@@ -2,12 +2,17 @@
 
 #include <condition_variable>
 #include <deque>
+#include <exception>
 #include <functional>
 #include <mutex>
 #include <string>
 #include <thread>
 
 namespace guidelight {
+
+/// Why something failed, as a sentence: what an Error says; if memory was short, that with what was
+/// tried, "Cannot write 'a.exr'".
+std::string sentence_about(const std::exception& error, const std::string& attempt);
 
 /// Runs jobs one after another in a thread of its own. The destructor finishes all of them first.
 class BackgroundThread {

@@ -23,8 +23,8 @@ void Exporter::save_png(std::shared_ptr<const Picture> picture) {
 
 void Exporter::save_exr(bool half_precision) {
   const auto picture = document_.picture();
-  if (!picture) {
-    document_.messages().warning("There is no picture to export yet.");
+  if (!picture || picture->coarse) {
+    document_.messages().warning("There is no picture of the full size to export yet.");
     return;
   }
   write(next_path("", "exr"),
@@ -47,7 +47,9 @@ void Exporter::write(const std::string& path, std::function<void(const std::stri
       writer(path);
       queue_.post([this, path] { document_.messages().note("Wrote " + path); });
     } catch (const std::exception& error) {
-      queue_.post([this, text = std::string(error.what())] { document_.messages().error(text); });
+      queue_.post([this, text = sentence_about(error, "Cannot write '" + path + "'")] {
+        document_.messages().error(text);
+      });
     }
   });
 }

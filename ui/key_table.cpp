@@ -47,7 +47,7 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>({
     {Action::ShowTechniques, GLFW_KEY_T, 0, "View", "Show what each technique brings"},
     {Action::RecordTechniques, GLFW_KEY_T, kShift, "View", "Record the techniques apart"},
 
-    {Action::FrameSelection, GLFW_KEY_F, 0, "Camera", "Frame the selection, or the scene"},
+    {Action::FrameSelection, GLFW_KEY_F, 0, "Camera", "Frame selection or scene"},
     {Action::ResetCamera, GLFW_KEY_HOME, 0, "Camera", "Reset the camera"},
 
     {Action::ExposureUp, GLFW_KEY_E, 0, "Image", "Brighter by ¼ EV"},
@@ -58,7 +58,7 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>({
     {Action::ClipWarning, GLFW_KEY_C, 0, "Image", "Mark clipped pixels"},
     {Action::Inspector, GLFW_KEY_I, 0, "Image", "Inspect pixels"},
     {Action::LoadReference, GLFW_KEY_L, kControl, "Image", "Load a reference…"},
-    {Action::PinPicture, GLFW_KEY_B, 0, "Image", "Pin the picture to compare with"},
+    {Action::PinPicture, GLFW_KEY_B, 0, "Image", "Pin the picture to compare"},
     {Action::ZoomFit, GLFW_KEY_0, 0, "Image", "Fit to the window"},
     {Action::ZoomActual, GLFW_KEY_1, 0, "Image", "Actual pixels"},
 

@@ -1,6 +1,5 @@
 #include "ui/legend.h"
 
-#include <array>
 #include <cmath>
 
 #include "ui/format.h"
@@ -12,6 +11,15 @@ namespace {
 
 constexpr int kSteps = 64;
 constexpr int kTicks = 5;
+constexpr int kMostDecades = 6;
+
+/// At the powers of ten if both ends are, else evenly.
+int ticks_between(float low, float high) {
+  const float decades = std::log10(high / low);
+  const auto whole = static_cast<int>(std::round(decades));
+  const bool is_whole = std::abs(decades - static_cast<float>(whole)) < 1e-3f;
+  return is_whole && whole >= 2 && whole <= kMostDecades ? whole + 1 : kTicks;
+}
 
 }  // namespace
 
@@ -76,10 +84,11 @@ float draw_legend(ImDrawList& list, Vec2 corner, const Picture& picture) {
 
 float draw_color_scale(ImDrawList& list, Vec2 corner, const ColorScale& scale) {
   const char* unit = scale.heading.c_str();
-  std::array<std::string, kTicks> labels;
+  const int ticks = ticks_between(scale.low, scale.high);
+  std::vector<std::string> labels(ticks);
   float widest = ImGui::CalcTextSize(unit).x - scaled(24);
-  for (int tick = 0; tick < kTicks; ++tick) {
-    const float t = static_cast<float>(tick) / (kTicks - 1);
+  for (int tick = 0; tick < ticks; ++tick) {
+    const float t = static_cast<float>(tick) / static_cast<float>(ticks - 1);
     labels[tick] = format_value(scale.low * std::pow(scale.high / scale.low, t));
     widest = std::max(widest, ImGui::CalcTextSize(labels[tick].c_str()).x);
   }
@@ -102,8 +111,8 @@ float draw_color_scale(ImDrawList& list, Vec2 corner, const ColorScale& scale) {
                        to_imgui(bar + Vec2(bar_size.x, bar_size.y * (1 - from))),
                        to_imgui_color(color_map(scale.map, (from + to) / 2)));
   }
-  for (int tick = 0; tick < kTicks; ++tick) {
-    const float y = bar_size.y * (1 - static_cast<float>(tick) / (kTicks - 1));
+  for (int tick = 0; tick < ticks; ++tick) {
+    const float y = bar_size.y * (1 - static_cast<float>(tick) / static_cast<float>(ticks - 1));
     list.AddText(to_imgui(bar + Vec2(bar_size.x + scaled(10), y - line / 2)), palette::kText,
                  labels[tick].c_str());
   }

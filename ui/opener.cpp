@@ -65,7 +65,9 @@ void Opener::read(const std::string& path, Read read_file, Take take) {
     try {
       finish([take, content = read_file(path)] { take(content); });
     } catch (const std::exception& error) {
-      finish([this, text = std::string(error.what())] { document_.messages().error(text); });
+      finish([this, text = sentence_about(error, "Cannot read '" + path + "'")] {
+        document_.messages().error(text);
+      });
     }
   });
 }

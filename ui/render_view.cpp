@@ -82,7 +82,7 @@ void RenderView::draw_other(ImDrawList& list, bool hovered) {
   using Mode = Comparison::Mode;
   const bool alone = hovered && window_.modifiers() == GLFW_MOD_SHIFT && !mouse_.active();
   const bool errors = !alone && comparison_.mode == Mode::ErrorMap;
-  if (!comparison_.other().image || (!alone && comparison_.mode == Mode::Off)) return;
+  if (!comparison_.fits() || (!alone && comparison_.mode == Mode::Off)) return;
   const auto shown = errors ? comparison_.error_displayed() : comparison_.other_displayed();
   if (!shown || !picture_) return;
   if (shown != other_) {
@@ -150,6 +150,11 @@ void RenderView::draw_scene_overlays(Document& document, Toolbox& toolbox, ImDra
 void RenderView::draw_legends(ImDrawList& list, Vec2 corner) const {
   if (picture_ && picture_->display.curve == ToneCurve::FalseColor) {
     corner.x -= draw_legend(list, corner, *picture_);
+  }
+  if (comparison_.fits() && comparison_.mode == Comparison::Mode::ErrorMap) {
+    corner.x -= draw_color_scale(list, corner,
+                                 {Comparison::kErrorColors, Comparison::kSmallestErrorShown,
+                                  Comparison::kLargestErrorShown, "relative error²"});
   }
   display_.draw_density_scale(list, corner);
 }

@@ -33,18 +33,22 @@ void ViewLayout::draw_buttons() {
       std::pair{"Render", "The picture through the render camera"},
       std::pair{"Scout", "The scene through a camera of its own, drawn at once"},
       std::pair{"Both", "Both views side by side"}};
-  float width = 0;
+  const ImVec2 padding = {ImGui::GetStyle().FramePadding.x, scaled(2)};
+  const float gap = scaled(2);
+  float width = -gap;
   for (const auto& [label, help] : kViews) {
-    width += ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x + scaled(2);
+    width += ImGui::CalcTextSize(label).x + 2 * padding.x + gap;
   }
-  ImGui::SameLine(ImGui::GetWindowWidth() - width - scaled(14));
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {scaled(2), 0});
+  const float margin = (ImGui::GetFrameHeight() - ImGui::GetTextLineHeight()) / 2 - padding.y;
+  ImGui::SetCursorPos({ImGui::GetWindowWidth() - width - scaled(6), margin});
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, 0});
   for (int i = 0; i < static_cast<int>(kViews.size()); ++i) {
     const auto views = static_cast<ShownViews>(i);
     if (toggle_button(kViews[i].first, shown_ == views)) shown_ = views;
     tooltip(std::string(kViews[i].second) + " (" + shortcut_text(Action::CycleViews) + ")");
   }
-  ImGui::PopStyleVar();
+  ImGui::PopStyleVar(2);
 }
 
 }  // namespace guidelight

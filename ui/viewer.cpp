@@ -13,6 +13,7 @@
 #include "ui/guides/guide_saver.h"
 #include "ui/guides/harvester.h"
 #include "ui/layout.h"
+#include "ui/memory_keeper.h"
 #include "ui/panels/panels.h"
 #include "ui/picture_developer.h"
 #include "ui/recent_files.h"
@@ -31,7 +32,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::microseconds kShortestFrame{16'000};
 constexpr double kLongSleep = 5;      // [s] when nothing happens …
-constexpr double kShortSleep = 0.5;   // … while a message or a text cursor is shown …
+constexpr double kShortSleep = 0.5;   // … while a message or a text cursor is shown, …
 constexpr double kBriefSleep = 0.05;  // … and while the camera waits for the render
 constexpr int kFramesAfterEvent = 2;  // ImGui needs a second one to settle
 
@@ -79,6 +80,7 @@ class Viewer {
   GuideSaver guide_saver_{document_, *queue_};
   Harvester harvester_{document_, *queue_};
   Opener opener_;
+  MemoryKeeper memory_;
   std::function<void(double seconds)> on_frame_;
   RecentFiles recent_;
   FirstHint first_hint_{std::filesystem::path(RecentFiles::default_path()).parent_path().string()};
@@ -140,6 +142,7 @@ void Viewer::run() {
     display_.update(document_, frame_began);
     comparison_.update(frame_began);
     techniques_.update(frame_began);
+    memory_.update(document_.status().generation, frame_began);
     if (document_.picture()) {
       developer_.request(document_.picture(), document_.shared_picture_job(),
                          document_.view().layer, document_.view().current());
@@ -174,7 +177,8 @@ double Viewer::seconds_to_sleep() const {
       techniques_.pending()) {
     return kBriefSleep;
   }
-  const bool calm = document_.messages().shown().empty() && !ImGui::GetIO().WantTextInput;
+  const bool calm =
+      document_.messages().shown().empty() && !ImGui::GetIO().WantTextInput && !memory_.pending();
   return calm ? kLongSleep : kShortSleep;
 }
 
@@ -228,7 +232,7 @@ void Viewer::draw_views() {
   if (views_.shows_render()) {
     begin_area("view", views_.render(), Padding::None, palette::kBackdrop);
     view_.draw(document_, toolbox_);
-    if (document_.has_scene() && document_.guides()->empty()) {
+    if (document_.has_scene() && document_.guides()->empty() && !document_.technique_view().shown) {
       first_hint_.draw(*ImGui::GetWindowDrawList(), from_imgui(views_.render().corner),
                        views_.render().size.x);
     }
@@ -291,6 +295,7 @@ void Viewer::handle_key(int key, int modifiers, bool is_repeat) {
   frames_due_ = kFramesAfterEvent;
   if (animating() || file_dialog_.is_open()) return;
   const auto command = tool_command_for(key, modifiers);
+  if (command == ToolCommand::Cancel && close_lists()) return;
   if (command == ToolCommand::Cancel && document_.technique_view().shown) {
     leave_techniques();
     return;

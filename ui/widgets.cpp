@@ -1,5 +1,7 @@
 #include "ui/widgets.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 
 #include "ui/theme.h"
@@ -145,6 +147,14 @@ void wrapped_dim_text(const std::string& text) {
   ImGui::PushTextWrapPos(0);
   dim_text(text);
   ImGui::PopTextWrapPos();
+}
+
+bool close_lists() {
+  if (ImGui::GetCurrentContext()->OpenPopupStack.empty() || ImGui::GetTopMostPopupModal()) {
+    return false;
+  }
+  ImGui::ClosePopupToLevel(0, true);
+  return true;
 }
 
 void tooltip(const std::string& text) {

@@ -49,6 +49,8 @@ void dim_text(const std::string& text);
 void wrapped_dim_text(const std::string& text);
 /// Explains the widget before it when the mouse rests there.
 void tooltip(const std::string& text);
+/// Closes lists and menus that are open; false if there are none. Dialogs are left alone.
+bool close_lists();
 
 /// A button in the accent colour while `on`.
 bool toggle_button(const char* label, bool on, ImVec2 size = {0, 0});

@@ -176,8 +176,7 @@ void Window::begin_frame() {
     scale_changed_ = false;
     apply_theme(scale_);
     load_fonts(scale_);
-    ImGui_ImplOpenGL3_DestroyFontsTexture();
-    ImGui_ImplOpenGL3_CreateFontsTexture();
+    ImGui_ImplOpenGL3_DestroyDeviceObjects();  // among them the glyphs; NewFrame makes them anew
   }
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();

@@ -37,6 +37,48 @@ TEST_F(ViewsTest, TheScoutViewShowsTheSceneInThreeWays) {
   EXPECT_TRUE(change_view([&] { driver_->click({485, 44}); })) << "see-through";
 }
 
+// Fields of the left panel reach that column only where the interface is larger than usual.
+TEST_F(ViewsTest, TheInterfaceHasTheScaleOfTheMonitor) {
+  constexpr int kBeyondUsualPanel = 400;
+  announce_dpi(display_->name(), 144);
+  start({write_scene("ball.xml")});
+  ASSERT_TRUE(wait_for_picture());
+  EXPECT_TRUE(wait_until([&] { return fields_at(kBeyondUsualPanel).size() >= 5; }));
+}
+
+TEST_F(ViewsTest, TheScaleOfTheCommandLineGoesBeforeThatOfTheMonitor) {
+  constexpr int kInUsualPanel = 290;
+  constexpr int kBeyondUsualPanel = 400;
+  announce_dpi(display_->name(), 144);
+  start({"--ui-scale", "1", write_scene("ball.xml")});
+  ASSERT_TRUE(wait_for_picture());
+  EXPECT_TRUE(wait_until([&] { return fields_at(kInUsualPanel).size() >= 5; }));
+  EXPECT_TRUE(fields_at(kBeyondUsualPanel).empty());
+}
+
+TEST_F(ViewsTest, EscapeClosesAListAndNothingElse) {
+  start({write_scene("ball.xml")});
+  ASSERT_TRUE(wait_for_full_picture());
+  press_and_settle("space");
+  const ScreenPicture before = driver_->capture_when_still();
+  driver_->click(field_in_left_panel(0));
+  const auto list_shown = [&] {
+    return block_difference(before, capture(), {20, 240}, {260, 280}) > kNoise;
+  };
+  EXPECT_TRUE(wait_until(list_shown)) << "the algorithms";
+  driver_->press_key("Escape");
+  EXPECT_TRUE(wait_until([&] { return !list_shown(); }));
+}
+
+TEST_F(ViewsTest, APreviewIsNotExported) {
+  // Too large for a pass to be done while the test looks.
+  start({scene("default"), "--size", "1600x1600", "--integrator", "bdpt"});
+  ASSERT_TRUE(wait_for_picture());
+  const auto exported = [&] { return std::filesystem::exists(folder() / "default.exr"); };
+  driver_->press_key("e", {"Control_L"});
+  EXPECT_FALSE(wait_until(exported, 3s));
+}
+
 TEST_F(ViewsTest, PhotonsAreDrawnOverTheScene) {
   start({scene("cornell"), "--integrator", "sppm", "--size", "64x64"});
   ASSERT_TRUE(wait_for_full_picture());

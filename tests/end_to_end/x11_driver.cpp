@@ -95,6 +95,16 @@ struct X11Driver::Impl {
   }
 };
 
+void announce_dpi(const std::string& display, int dpi) {
+  Display* const connection = XOpenDisplay(display.c_str());
+  if (!connection) throw std::runtime_error("cannot open display " + display);
+  const std::string resources = "Xft.dpi:\t" + std::to_string(dpi) + "\n";
+  XChangeProperty(connection, DefaultRootWindow(connection), XA_RESOURCE_MANAGER, XA_STRING, 8,
+                  PropModeReplace, reinterpret_cast<const unsigned char*>(resources.data()),
+                  static_cast<int>(resources.size()));
+  XCloseDisplay(connection);
+}
+
 X11Driver::X11Driver(const std::string& display) : impl_(std::make_unique<Impl>()) {
   impl_->display = XOpenDisplay(display.c_str());
   if (!impl_->display) throw std::runtime_error("cannot connect to the display " + display);

@@ -76,6 +76,9 @@ double mean_brightness(const ScreenPicture& picture, Point corner, Point size);
 double block_difference(const ScreenPicture& a, const ScreenPicture& b, Point corner, Point size);
 size_t count_color(const ScreenPicture& picture, uint32_t color);
 
+/// What a desktop tells programs about its monitor: 96 for scale 1.
+void announce_dpi(const std::string& display, int dpi);
+
 enum class Mouse { Left = 1, Middle = 2, Right = 3, WheelUp = 4, WheelDown = 5 };
 
 class X11Driver {

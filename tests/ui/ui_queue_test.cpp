@@ -88,5 +88,12 @@ TEST(BackgroundThread, SaysWhyAJobFailedAndGoesOn) {
   EXPECT_EQ(said, (std::vector<std::string>{"no", "there is not enough memory", "done"}));
 }
 
+TEST(BackgroundThread, ShortMemoryIsSaidWithWhatWasTried) {
+  const std::string attempt = "Cannot read 'huge.exr'";
+  EXPECT_EQ(sentence_about(std::bad_alloc(), attempt),
+            "Cannot read 'huge.exr': there is not enough memory; close other programs.");
+  EXPECT_EQ(sentence_about(std::runtime_error("It is broken."), attempt), "It is broken.");
+}
+
 }  // namespace
 }  // namespace guidelight

@@ -13,8 +13,6 @@ namespace guidelight {
 namespace {
 
 constexpr std::chrono::milliseconds kBetweenMeasurements{250};
-constexpr float kSmallestErrorShown = 1e-4f;
-constexpr float kLargestErrorShown = 10;
 
 std::shared_ptr<const DisplayImage> develop_image(const Image& image,
                                                   const DisplaySettings& display) {
@@ -26,9 +24,9 @@ std::shared_ptr<const DisplayImage> develop_image(const Image& image,
 std::shared_ptr<const DisplayImage> develop_errors(const Image& image, const Image& other) {
   DisplaySettings display;
   display.curve = ToneCurve::FalseColor;
-  display.color_map = ColorMap::Magma;
-  display.false_color_min = kSmallestErrorShown;
-  display.false_color_max = kLargestErrorShown;
+  display.color_map = Comparison::kErrorColors;
+  display.false_color_min = Comparison::kSmallestErrorShown;
+  display.false_color_max = Comparison::kLargestErrorShown;
   return develop_image(relative_error_map(image, other), display);
 }
 
@@ -75,7 +73,9 @@ void Comparison::load_reference(const std::string& path) {
         }
       });
     } catch (const std::exception& error) {
-      queue_.post([this, text = std::string(error.what())] { document_.messages().error(text); });
+      queue_.post([this, text = sentence_about(error, "Cannot read '" + path + "'")] {
+        document_.messages().error(text);
+      });
     }
   });
 }
@@ -94,6 +94,12 @@ void Comparison::pin() {
   pinned_curve_.name = name;
   if (!reference_.image) against_ = Against::Pinned;
   document_.messages().note("Pinned " + name);
+}
+
+bool Comparison::fits() const {
+  const Image* image = other().image.get();
+  const RenderSettings& settings = document_.settings();
+  return image && image->width() == settings.width && image->height() == settings.height;
 }
 
 void Comparison::forget() {

@@ -40,6 +40,11 @@ class Comparison {
   enum class Against { Reference, Pinned };
   enum class Mode { Off, Wipe, ErrorMap };
 
+  // Ends of the logarithmic scale of the map of errors, which are squared and relative.
+  static constexpr float kSmallestErrorShown = 1e-4f;
+  static constexpr float kLargestErrorShown = 10;
+  static constexpr ColorMap kErrorColors = ColorMap::Magma;
+
   Comparison(Document& document, UiQueue& queue) : document_(document), queue_(queue) {}
 
   /// Reads a reference in the background; says in the messages if it cannot be read.
@@ -56,6 +61,8 @@ class Comparison {
   const ComparedImage& other() const {
     return against_ == Against::Reference ? reference_ : pinned_;
   }
+  /// Whether the render has the size of what is compared against.
+  bool fits() const;
   Mode mode = Mode::Off;
   float wipe = 0.5f;  // share of the picture's width that shows the other
 

@@ -3,15 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+
+#include "renderer/transport/guide_color.h"
 
 namespace guidelight {
 namespace {
-
-// Of equal brightness, told apart by people who confuse red and green (Okabe and Ito 2008).
-const std::array kGuideColors = {Color(0.90f, 0.62f, 0.00f), Color(0.34f, 0.71f, 0.91f),
-                                 Color(0.00f, 0.75f, 0.55f), Color(0.94f, 0.89f, 0.26f),
-                                 Color(0.80f, 0.47f, 0.65f), Color(0.84f, 0.37f, 0.00f)};
 
 bool is_taken(const std::vector<GuidePath>& guides, const std::string& name) {
   return std::ranges::find(guides, name, &GuidePath::name) != guides.end();
@@ -24,7 +20,7 @@ void add_guide(Document& document, GuidePath guide, const std::string& label) {
   size_t number = guides.size() + 1;
   while (is_taken(guides, fmt::format("Guide {}", number))) ++number;
   guide.name = fmt::format("Guide {}", number);
-  guide.color = kGuideColors[(number - 1) % kGuideColors.size()];
+  guide.color = guide_color(number - 1);
   guides.push_back(std::move(guide));
   document.edit_guides(std::move(guides), label);
   document.guide_view().selected = document.guides()->size() - 1;

@@ -44,15 +44,29 @@ void draw_sources(Comparison& comparison, const Perform& perform) {
   ImGui::EndCombo();
 }
 
-void draw_modes(Comparison& comparison) {
+std::string size_text(int width, int height) { return fmt::format("{} × {}", width, height); }
+
+std::string why_not_comparable(const Document& document, const Comparison& comparison) {
+  if (comparison.fits()) return "";
+  const Image& other = *comparison.other().image;
+  const RenderSettings& settings = document.settings();
+  return fmt::format(
+      "{} has {} pixels, the render has {}: only pictures of the same size can be compared.",
+      comparison.other().name, size_text(other.width(), other.height()),
+      size_text(settings.width, settings.height));
+}
+
+void draw_modes(Comparison& comparison, const std::string& obstacle) {
   using Mode = Comparison::Mode;
   row("View", "Holding Shift over the picture shows the other one alone");
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
   const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
   const auto mode = [&](const char* label, Mode which, const char* help) {
     const bool on = comparison.mode == which;
+    ImGui::BeginDisabled(!obstacle.empty());
     if (toggle_button(label, on, {width, 0})) comparison.mode = on ? Mode::Off : which;
-    tooltip(help);
+    ImGui::EndDisabled();
+    tooltip(obstacle.empty() ? help : obstacle);
   };
   mode("Wipe", Mode::Wipe, "The other picture to the left of a line that can be dragged");
   ImGui::SameLine(0, gap);
@@ -63,7 +77,7 @@ void draw_modes(Comparison& comparison) {
 void draw_metrics(const Comparison& comparison) {
   const auto& metrics = comparison.metrics();
   if (!metrics) {
-    wrapped_dim_text("The pictures have different sizes, or nothing has been rendered yet.");
+    wrapped_dim_text("They are measured after the next pass.");
     return;
   }
   readout("relMSE", format_value(static_cast<float>(metrics->relative_mse.plain)),
@@ -134,7 +148,12 @@ void draw_compare_panel(const Document& document, Comparison& comparison, const 
   }
   draw_sources(comparison, perform);
   if (!comparison.other().image) return;
-  draw_modes(comparison);
+  const std::string obstacle = why_not_comparable(document, comparison);
+  draw_modes(comparison, obstacle);
+  if (!obstacle.empty()) {
+    wrapped_dim_text(obstacle);
+    return;
+  }
   draw_metrics(comparison);
   if (!comparison.reference().image || !section("Error over time")) return;
   draw_curves(comparison);

@@ -226,9 +226,11 @@ void FileDialog::draw_path_field() {
   const float button = scaled(96);
   ImGui::SetNextItemWidth(-2 * (button + ImGui::GetStyle().ItemSpacing.x));
   if (std::exchange(focus_path_, false)) ImGui::SetKeyboardFocusHere();
-  const bool entered = ImGui::InputText(
-      "##path", &typed_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackHistory,
-      &FileDialog::choose_with_arrow, this);
+  const bool entered =
+      ImGui::InputText("##path", &typed_,
+                       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll |
+                           ImGuiInputTextFlags_CallbackHistory,
+                       &FileDialog::choose_with_arrow, this);
   ImGui::SameLine();
   const bool pressed_button = ImGui::Button(request_.verb, {button, 0});
   ImGui::SameLine();

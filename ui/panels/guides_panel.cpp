@@ -12,6 +12,7 @@ namespace guidelight {
 namespace {
 
 constexpr float kDegree = kPi / 180;
+constexpr const char* kGuided = "guided";  // the parameter of Markov chains
 
 /// Changes a copy of one guide; steps of one kind are undone together while the mouse is held.
 template <class Change>
@@ -112,7 +113,10 @@ void draw_guide_row(Document& document, size_t i, double total) {
 }
 
 void draw_list(Document& document) {
-  if (!ImGui::BeginTable("guides", 5, ImGuiTableFlags_SizingFixedFit)) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {scaled(4), ImGui::GetStyle().CellPadding.y});
+  const bool open = ImGui::BeginTable("guides", 5, ImGuiTableFlags_SizingFixedFit);
+  ImGui::PopStyleVar();
+  if (!open) return;
   ImGui::TableSetupColumn("on");
   ImGui::TableSetupColumn("color");
   ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch);
@@ -166,9 +170,11 @@ void draw_selected(Document& document, size_t selected) {
         document, selected, "weight of a guide", [&](GuidePath& g) { g.weight = weight; },
         "weight");
   }
-  row("Disc", "Paths start within this radius around the first vertex on the light [scene units]");
+  row("Disc",
+      "Paths start within this radius around the first vertex on the light [scene units, which "
+      "count as metres]");
   float radius = guide.disc_radius;
-  if (number("##disc", radius, 1e-6f, 1e6f, "", true)) {
+  if (number("##disc", radius, 1e-6f, 1e6f, "m", true)) {
     edit_guide(
         document, selected, "disc of a guide",
         [&](GuidePath& g) { g.disc_radius = std::max(radius, 1e-6f); }, "disc");
@@ -191,6 +197,30 @@ bool follows_guides(IntegratorSettings& settings) {
   return std::ranges::any_of(settings.parameters(), is_guide_parameter);
 }
 
+/// What Markov chains divide between guided paths (UP) and independent ones (BD).
+bool edit_up_to_bd(float& guided, float& independent) {
+  const float both = guided + independent;
+  if (!(both > 0)) return false;
+  row("UP : BD",
+      "How often chains propose paths that follow a guide, and how often independent ones. "
+      "Changing it restarts the render.");
+  float percent = 100 * guided / both;
+  const std::string shown = fmt::format("{:.0f} : {:.0f}", percent, 100 - percent);
+  if (!ImGui::SliderFloat("##up to bd", &percent, 0, 100, shown.c_str(),
+                          ImGuiSliderFlags_NoInput)) {
+    return false;
+  }
+  guided = both * percent / 100;
+  independent = both - guided;
+  return true;
+}
+
+float* number_named(const std::vector<Parameter>& parameters, const std::string& key) {
+  const auto found = std::ranges::find(parameters, key, &Parameter::key);
+  const auto number = found == parameters.end() ? nullptr : std::get_if<float*>(&found->value);
+  return number ? *number : nullptr;
+}
+
 /// The share of guided paths, or which algorithms there are to choose from.
 void draw_guided_share(Document& document) {
   if (!document.settings().parameters) return;
@@ -209,8 +239,13 @@ void draw_guided_share(Document& document) {
     return;
   }
   bool changed = false;
-  for (const Parameter& parameter : edited->parameters()) {
-    if (is_guide_parameter(parameter)) changed |= draw_parameter(parameter);
+  const std::vector<Parameter> parameters = edited->parameters();
+  float* guided = number_named(parameters, kGuided);
+  float* independent = number_named(parameters, "bidirectional");
+  if (guided && independent) changed |= edit_up_to_bd(*guided, *independent);
+  for (const Parameter& parameter : parameters) {
+    const bool is_drawn = independent && parameter.key == kGuided;
+    if (is_guide_parameter(parameter) && !is_drawn) changed |= draw_parameter(parameter);
   }
   if (!changed) return;
   RenderSettings settings = document.settings();

@@ -70,8 +70,8 @@ void draw_harvest_panel(Document& document, bool tool_held, const Perform& perfo
         "it.");
     return;
   }
-  dim_text("Of " + name_of_region(*harvest.region));
-  tooltip("From the upper left corner of the picture");
+  wrapped_dim_text("Light of " + name_of_region(*harvest.region) + ", by way of");
+  tooltip("Counted from the upper left corner of the picture");
   if (harvest.searching) {
     dim_text("Searching …");
   } else if (harvest.paths.empty()) {

@@ -8,14 +8,15 @@ namespace {
 
 constexpr const char* kRestarts = "Changing it restarts the render.";
 
-constexpr const char* kAlgorithm = "Algorithm";
-
-void draw_integrator_choice(Document& document, float column) {
+/// As wide as the panel, because names are long.
+void draw_integrator_choice(Document& document) {
   const IntegratorInfo& current = find_integrator(document.settings().integrator);
-  row(kAlgorithm, std::string("How light is simulated. ") + kRestarts, column);
-  const float width = ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - scaled(8);
-  if (ImGui::BeginCombo("##integrator", shortened(current.label, width).c_str(),
-                        ImGuiComboFlags_HeightLargest)) {
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  const float width = ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - scaled(12);
+  const bool open = ImGui::BeginCombo("##integrator", shortened(current.label, width).c_str(),
+                                      ImGuiComboFlags_HeightLargest);
+  if (!open) tooltip(std::string("How light is simulated. ") + kRestarts);
+  if (open) {
     for (const IntegratorInfo& info : integrators()) {
       const bool chosen = info.name == current.name;
       if (ImGui::Selectable(info.label.c_str(), chosen) && !chosen) {
@@ -81,10 +82,10 @@ void draw_integrator_panel(Document& document) {
   if (!document.has_scene() || !section("Integrator")) return;
   const std::shared_ptr<IntegratorSettings> edited = document.settings().parameters->clone();
   const std::vector<Parameter> parameters = edited->parameters();
-  std::vector<std::string> labels = {kAlgorithm};
+  std::vector<std::string> labels;
   for (const Parameter& parameter : parameters) labels.push_back(parameter.label);
   const float column = label_column(labels);
-  draw_integrator_choice(document, column);
+  draw_integrator_choice(document);
   bool changed = false;
   for (const Parameter& parameter : parameters) changed |= draw_parameter(parameter, column);
   if (!changed) return;

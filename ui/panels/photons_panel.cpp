@@ -88,12 +88,11 @@ double guided_share(const std::vector<GuideShare>& shares) {
 void draw_cloud(const PhotonCloud& cloud, const std::vector<GuideShare>& shares) {
   const size_t shown = cloud.points.size();
   readout("Photons", format_count(static_cast<double>(cloud.total)), "Stored in the last pass");
-  readout("Shown",
-          cloud.total == 0 ? "none"
-                           : fmt::format("{} ({})", format_count(static_cast<double>(shown)),
-                                         format_percent(static_cast<double>(shown) /
-                                                        static_cast<double>(cloud.total))),
-          "Evenly chosen among all");
+  readout(
+      "Shown",
+      fmt::format("{} ({})", format_count(static_cast<double>(shown)),
+                  format_percent(static_cast<double>(shown) / static_cast<double>(cloud.total))),
+      "Evenly chosen among all");
   readout("Memory", format_bytes(cloud.bytes), "That all photons of the pass take");
   const double guided = guided_share(shares);
   share_bar("Guided", static_cast<float>(guided), format_percent(guided),
@@ -139,9 +138,13 @@ void draw_photons_panel(Document& document, const DisplayScene& display) {
   if (!view.shown) return;
   const auto& picture = document.picture();
   if (!picture || !picture->photons) {
-    wrapped_dim_text(
-        "The algorithm has stored none yet. Photon mapping, progressive photon mapping, merging "
-        "(BDPM, VCM) and Metropolis photon sampling store photons; the path tracer does not.");
+    wrapped_dim_text("They are shown after the next pass.");
+    return;
+  }
+  if (picture->photons->total == 0) {
+    wrapped_dim_text(find_integrator(document.picture_job().integrator).label +
+                     " has stored none in its last pass. Photon mapping, progressive photon "
+                     "mapping, merging (BDPM, VCM) and Metropolis photon sampling store photons.");
     return;
   }
   draw_cloud(*picture->photons, display.guide_shares());

@@ -72,19 +72,18 @@ bool edit_seed(RenderSettings& settings) {
 }
 
 bool edit_targets(RenderTargets& targets) {
-  constexpr const char* kNoLimit = "(no limit)";
   const std::string no_limit = " 0 sets no limit. Changing it does not restart the render.";
   bool changed = false;
 
   int passes = static_cast<int>(targets.passes);
   row("Stop after", "Passes to render, one sample per pixel each." + no_limit);
-  if (number("##passes", passes, 0, 1 << 24, passes == 0 ? kNoLimit : "passes")) {
+  if (number("##passes", passes, 0, 1 << 24, passes == 0 ? "passes (no limit)" : "passes")) {
     targets.passes = static_cast<uint32_t>(passes);
     changed = true;
   }
   int seconds = static_cast<int>(targets.seconds);
   row("or after", "Seconds of rendering, pauses excluded." + no_limit);
-  if (number("##seconds", seconds, 0, 1 << 24, seconds == 0 ? kNoLimit : "s")) {
+  if (number("##seconds", seconds, 0, 1 << 24, seconds == 0 ? "s (no limit)" : "s")) {
     targets.seconds = seconds;
     changed = true;
   }
@@ -100,7 +99,7 @@ bool edit_targets(RenderTargets& targets) {
 void edit_autosave(int& minutes) {
   row("Autosave",
       "Minutes between checkpoints that are saved while rendering, beside the pictures. 0: never.");
-  number("##autosave", minutes, 0, 24 * 60, minutes == 0 ? "(never)" : "min");
+  number("##autosave", minutes, 0, 24 * 60, minutes == 0 ? "min (never)" : "min");
 }
 
 }  // namespace

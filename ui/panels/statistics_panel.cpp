@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "renderer/parallel/process_memory.h"
 #include "ui/forecast.h"
 #include "ui/format.h"
@@ -24,7 +26,7 @@ double error_goal(const RenderTargets& targets, double error) {
 void draw_error(const Document& document) {
   const Snapshot& status = document.status();
   if (status.passes < 2 || !(status.relative_error > 0)) {
-    readout("Error", "unknown before the second pass");
+    readout("Error", "after two passes");
     return;
   }
   readout("Error", format_percent(status.relative_error),
@@ -42,7 +44,9 @@ void draw_chains(const ChainStatistics& chains) {
   readout("Proposals", format_count(static_cast<double>(chains.steps)), "Since the chains began");
   std::vector<ProposalRow> rows;
   for (const ProposalStatistics& mutation : chains.mutations) {
-    rows.push_back({mutation.name, mutation});
+    std::string name = mutation.name;  // a key
+    std::ranges::replace(name, '_', ' ');
+    rows.push_back({name, mutation});
   }
   draw_proposal_table("mutations", "Mutation", rows);
 }
@@ -57,12 +61,15 @@ void draw_statistics_panel(const Document& document) {
   if (status.seconds > 0) {
     readout("Samples", format_count(static_cast<double>(status.samples) / status.seconds) + "/s",
             "Of pixels, mean since the render began");
+  }
+  if (status.rays_per_second > 0) {
     readout("Rays", format_count(status.rays_per_second) + "/s",
             "Traced by Embree for paths, connections and shadows, mean since the render began");
   }
   draw_error(document);
-  if (document.picture() && document.picture()->photons) {
-    const PhotonCloud& photons = *document.picture()->photons;
+  if (const auto& picture = document.picture();
+      picture && picture->photons && picture->photons->total > 0) {
+    const PhotonCloud& photons = *picture->photons;
     readout("Photons",
             format_count(static_cast<double>(photons.total)) + " in " + format_bytes(photons.bytes),
             "Of one pass");

@@ -197,8 +197,10 @@ std::vector<IntegratorInfo> bidirectional_infos() {
                   "Photons merged where the camera first sees a surface that is not specular, with "
                   "a radius that shrinks by pass.",
                   bidirectional_settings<ProbabilisticPpm>, create_bidirectional});
-  list.push_back({"bpm", "Bidirectional photon mapping, fixed radius",
-                  "Photons merged at every camera vertex, weighted against each other.",
+  list.push_back({"bpm", "Photon merging, fixed radius",
+                  "Bidirectional photon mapping with one radius: photons merged at every camera "
+                  "vertex, weighted "
+                  "against each other.",
                   bidirectional_settings<Bpm>, create_bidirectional});
   list.push_back({"bdpm", "Bidirectional photon mapping",
                   "The nearest photons merged at every camera vertex, weighted against each other: "

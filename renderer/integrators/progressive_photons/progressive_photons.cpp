@@ -206,8 +206,9 @@ std::vector<IntegratorInfo> progressive_photon_infos() {
        "Photons measured at fixed points with shrinking radii: good at light through "
        "glass seen in mirrors; depth of field and edges stay as the first pass saw them.",
        progressive_settings<Ppm>, create_progressive});
-  list.push_back({"sppm", "Stochastic progressive photon mapping",
-                  "The same with new points in every pass: good at caustics seen in mirrors or "
+  list.push_back({"sppm", "Stochastic PPM",
+                  "Progressive photon mapping with new points in every pass: good at caustics seen "
+                  "in mirrors or "
                   "through glass, with depth of field and fine edges.",
                   progressive_settings<Sppm>, create_progressive});
   return list;
