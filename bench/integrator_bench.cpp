@@ -9,9 +9,9 @@
 
 #include <map>
 
+#include "bench/ray_replay.h"
 #include "renderer/integrators/integrator.h"
 #include "renderer/io/scene_file.h"
-#include "renderer/scene/ray_log.h"
 
 namespace guidelight {
 namespace {
@@ -35,7 +35,7 @@ std::unique_ptr<Integrator> make_integrator(const IntegratorInfo& info,
   return info.create(of, *info.make_settings(of->description().hints));
 }
 
-/// All rays of one pass, as the integrator's batches.
+/// All rays of one pass.
 const RayLog& logged_rays(const IntegratorInfo& info) {
   static std::map<std::string, RayLog> logs;
   RayLog& log = logs[info.name];
@@ -48,12 +48,12 @@ const RayLog& logged_rays(const IntegratorInfo& info) {
 }
 
 void report(benchmark::State& state, const RayLog& log) {
-  size_t rays = 0;
-  for (const auto& batch : log.batches()) rays += batch.rays.size();
+  const RayCounts rays = count_rays(log);
   const double passes = static_cast<double>(state.iterations());
   state.counters["passes/s"] = {passes, benchmark::Counter::kIsRate};
-  state.counters["rays/s"] = {passes * rays, benchmark::Counter::kIsRate};
-  state.counters["rays/pixel"] = static_cast<double>(rays) / (kSide * kSide);
+  state.counters["rays/s"] = {passes * rays.total(), benchmark::Counter::kIsRate};
+  state.counters["rays/pixel"] = static_cast<double>(rays.total()) / (kSide * kSide);
+  state.counters["shadow/pixel"] = static_cast<double>(rays.shadow) / (kSide * kSide);
 }
 
 void passes(benchmark::State& state, const IntegratorInfo& info) {
@@ -70,24 +70,8 @@ void passes(benchmark::State& state, const IntegratorInfo& info) {
 
 void replay(benchmark::State& state, const IntegratorInfo& info) {
   Parallel parallel(static_cast<int>(state.range(0)));
-  const auto& batches = logged_rays(info).batches();
-  constexpr size_t kChunk = 64;
-  for (auto _ : state) {
-    parallel.for_each((batches.size() + kChunk - 1) / kChunk, [&](size_t chunk) {
-      std::vector<Hit> hits;
-      std::vector<uint8_t> blocked;
-      for (size_t i = chunk * kChunk; i < std::min(batches.size(), (chunk + 1) * kChunk); ++i) {
-        const auto& rays = batches[i].rays;
-        if (batches[i].shadow) {
-          blocked.resize(std::max(blocked.size(), rays.size()));
-          scene()->occluded(rays, {blocked.data(), rays.size()});
-        } else {
-          hits.resize(std::max(hits.size(), rays.size()));
-          scene()->intersect(rays, {hits.data(), rays.size()});
-        }
-      }
-    });
-  }
+  const RayLog& log = logged_rays(info);
+  for (auto _ : state) trace_again(log, *scene(), parallel);
   report(state, logged_rays(info));
 }
 

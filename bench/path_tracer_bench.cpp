@@ -5,9 +5,9 @@
 
 #include <benchmark/benchmark.h>
 
+#include "bench/ray_replay.h"
 #include "renderer/integrators/path_tracer.h"
 #include "renderer/io/scene_file.h"
-#include "renderer/scene/ray_log.h"
 
 namespace guidelight {
 namespace {
@@ -41,12 +41,6 @@ RayLog& logged_rays() {
   return log;
 }
 
-size_t ray_count() {
-  size_t count = 0;
-  for (const auto& batch : logged_rays().batches()) count += batch.rays.size();
-  return count;
-}
-
 void report(benchmark::State& state, size_t rays_per_pass) {
   const double passes = static_cast<double>(state.iterations());
   state.counters["rays/s"] = {passes * rays_per_pass, benchmark::Counter::kIsRate};
@@ -60,31 +54,15 @@ void path_tracer(benchmark::State& state) {
   Film film(kSide, kSide);
   uint32_t pass = 0;
   for (auto _ : state) integrator->render_pass(pass++, film, {0, &parallel, {}});
-  report(state, ray_count());
+  report(state, count_rays(logged_rays()).total());
 }
 
 void replay(benchmark::State& state) {
   const auto scene = load_scene();
   Parallel parallel(static_cast<int>(state.range(0)));
-  const auto& batches = logged_rays().batches();
-  constexpr size_t kChunk = 64;
-  for (auto _ : state) {
-    parallel.for_each((batches.size() + kChunk - 1) / kChunk, [&](size_t chunk) {
-      std::vector<Hit> hits(1024);
-      std::vector<uint8_t> blocked(1024);
-      for (size_t i = chunk * kChunk; i < std::min(batches.size(), (chunk + 1) * kChunk); ++i) {
-        const auto& rays = batches[i].rays;
-        if (batches[i].shadow) {
-          scene->occluded(rays, {blocked.data(), rays.size()});
-        } else {
-          scene->intersect(rays, {hits.data(), rays.size()});
-        }
-      }
-      benchmark::DoNotOptimize(hits.data());
-      benchmark::DoNotOptimize(blocked.data());
-    });
-  }
-  report(state, ray_count());
+  const RayLog& log = logged_rays();
+  for (auto _ : state) trace_again(log, *scene, parallel);
+  report(state, count_rays(logged_rays()).total());
 }
 
 BENCHMARK(path_tracer)->Arg(1)->Arg(kThreads)->ArgName("threads")->UseRealTime()->MinTime(3);

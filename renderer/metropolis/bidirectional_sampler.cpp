@@ -24,8 +24,12 @@ bool BidirectionalSampler::fill(const Gap& gap, Path& y, Random& rng) const {
   const auto techniques = static_cast<float>(technique_count(gap));
   const int from_light = static_cast<int>(rng.next_float() * techniques);
   const int s = gap.from_light + from_light;  // vertices on the light's side
+  const int from_eye = gap.inserted - from_light;
+  // What cannot be joined is given up before rays are traced for it.
+  if (s > 0 && from_eye == 0 && !may_scatter_finitely(y, s)) return false;
   if (!grow_from_light(gap, from_light, y, rng)) return false;
-  if (!grow_from_eye(gap, gap.inserted - from_light, y, rng)) return false;
+  if (s > 0 && !may_scatter_finitely(y, s - 1)) return false;
+  if (!grow_from_eye(gap, from_eye, y, rng)) return false;
   if (s > 0 && (y.length() == 1 || !join(y, s - 1))) return false;
   if (!y.update(scene_, gap.from_light, gap.from_light + gap.inserted - 1)) return false;
   return s == 0 || is_visible(scene_, y, s - 1);

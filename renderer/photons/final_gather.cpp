@@ -29,7 +29,7 @@ Color GatheredLight::radiance(const PathVertex& vertex, const Scattering& scatte
 }
 
 FinalGather::FinalGather(const Scene& scene, const GatheredLight& light)
-    : light_(light), walk_(scene, TransportMode::Radiance, unused_weights_) {}
+    : light_(light), walk_(scene, TransportMode::Radiance) {}
 
 void FinalGather::add_ray(const PathVertex& vertex, Vec3 direction, Color weight, Rng rng) {
   Subpath& path = paths_.emplace_back();
@@ -37,7 +37,7 @@ void FinalGather::add_ray(const PathVertex& vertex, Vec3 direction, Color weight
   path.ray = vertex.point.spawn_ray(direction);
   path.origin = vertex.point.position;
   path.throughput = weight;
-  path.pdf = 1;  // its weights are not used
+  path.pdf = 1;  // nothing asks for it
   path.medium = medium_beyond(vertex.point, direction, vertex.medium);
   path.length = vertex.length;
   samples_.emplace_back();

@@ -47,7 +47,6 @@ class FinalGather {
   void add_ray(const PathVertex& vertex, Vec3 direction, Color weight, Rng rng);
 
   const GatheredLight& light_;
-  MisWeights unused_weights_{TechniqueCounts{}};
   RandomWalk walk_;
   std::vector<Subpath> paths_;
   std::vector<uint32_t> strata_;             // of the hemisphere, that each path belongs to

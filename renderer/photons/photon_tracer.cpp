@@ -34,7 +34,6 @@ struct PhotonCollector {
 /// Traces paths [first, last).
 void trace_batch(const Scene& scene, const LightPathRange& range, size_t first, size_t last,
                  std::vector<Photon>& photons) {
-  const MisWeights weights{TechniqueCounts{}};  // the photons are not weighted
   LightPathBatch batch(scene, 1, range.guided);
   batch.reset(last - first);
   for (size_t i = first; i < last; ++i) {
@@ -42,7 +41,7 @@ void trace_batch(const Scene& scene, const LightPathRange& range, size_t first, 
   }
   photons.clear();
   PhotonCollector collector{photons, range.max_length};
-  RandomWalk(scene, TransportMode::Importance, weights).run(batch.paths(), collector);
+  RandomWalk(scene, TransportMode::Importance).run(batch.paths(), collector);
 }
 
 }  // namespace

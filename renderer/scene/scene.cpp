@@ -36,11 +36,13 @@ inline void Scene::count_rays(size_t count) const {
 }
 
 Hit Scene::intersect(const Ray& ray) const {
+  if (log_) log_->add(false, ray);
   count_rays(1);
   return content_->accelerator->intersect(ray);
 }
 
 bool Scene::occluded(const Ray& ray) const {
+  if (log_) log_->add(true, ray);
   count_rays(1);
   return content_->accelerator->occluded(ray);
 }

@@ -33,7 +33,7 @@ class Scene {
   /// The same scene through another camera; shares everything else.
   std::shared_ptr<const Scene> with_camera(const Camera& camera) const;
 
-  /// The same scene that writes down every batch of rays; `log` must outlive it.
+  /// The same scene that writes down every ray; `log` must outlive it.
   std::shared_ptr<const Scene> with_ray_log(RayLog& log) const;
 
   /// The same scene that counts its rays; `counter` must outlive it.

@@ -31,10 +31,6 @@ std::optional<ScatteringSample> scatter(PathPoint& x, Vec3 wo, TransportMode mod
   return sample;
 }
 
-bool may_scatter_finitely(const Path& path, int i) {
-  return i == 0 || i == path.length() || path.points[i].point.bsdf->lobes() & kLobeSmooth;
-}
-
 }  // namespace
 
 void start_from(Path& path, const Light& light, const EmissionSample& emission) {
@@ -151,6 +147,10 @@ Vec3 direction_to_light(const Path& path, int i) {
 
 Vec3 direction_to_eye(const Path& path, int i) {
   return glm::normalize(path.points[i + 1].point.position - path.points[i].point.position);
+}
+
+bool may_scatter_finitely(const Path& path, int i) {
+  return i == 0 || i == path.length() || path.points[i].point.bsdf->lobes() & kLobeSmooth;
 }
 
 bool join(Path& path, int i) {

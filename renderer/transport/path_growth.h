@@ -45,6 +45,8 @@ bool follow_to_light(const Scene& scene, Path& path, int from, int to, Ray ray, 
 Vec3 direction_to_light(const Path& path, int i);
 Vec3 direction_to_eye(const Path& path, int i);
 
+/// Whether vertex i has a finite lobe, or is an end of the path.
+bool may_scatter_finitely(const Path& path, int i);
 /// Lets vertices i and i + 1 scatter finitely, to be joined by a connection; false if one cannot.
 bool join(Path& path, int i);
 

@@ -28,6 +28,23 @@ float direct_over_emission(const Subpath& path, const SurfacePoint& vertex) {
   return pdf_area / emission.pdf_position;
 }
 
+/// Fills what the vertex at the end of a segment carries of the balance heuristic.
+void add_partials(const Subpath& path, PathVertex& vertex) {
+  // Densities per solid angle become densities per area by cosθ/d² (Veach 1997, 8.10).
+  const float cos_here = std::abs(glm::dot(vertex.wo, vertex.point.geometric_normal));
+  const float squared =
+      path.is_parallel ? 1.0f : length_squared(vertex.point.position - path.origin);
+  const float inverse_pdf = squared / (path.pdf * cos_here);
+  const float chain = inverse_pdf * path.cos_origin / squared;
+  vertex.partials.connection = chain * path.sums.connection;
+  vertex.partials.merging = chain * path.sums.merging;
+  vertex.merging_before_last = chain * path.merging_before_origin;
+  if (path.is_connectible) {
+    vertex.partials.inverse_pdf =
+        path.light ? inverse_pdf * direct_over_emission(path, vertex.point) : inverse_pdf;
+  }
+}
+
 }  // namespace
 
 float survival_probability(const SurfacePoint& point) {
@@ -57,20 +74,7 @@ PathVertex RandomWalk::arrive(const Subpath& path, const Hit& hit) const {
                     .is_specular_chain = path.is_specular_chain};
   if (path.medium) vertex.throughput *= path.medium->transmittance(hit.t);
   vertex.survival = survival_probability(vertex.point);
-
-  // Densities per solid angle become densities per area by cosθ/d² (Veach 1997, 8.10).
-  const float cos_here = std::abs(glm::dot(vertex.wo, vertex.point.geometric_normal));
-  const float squared =
-      path.is_parallel ? 1.0f : length_squared(vertex.point.position - path.origin);
-  const float inverse_pdf = squared / (path.pdf * cos_here);
-  const float chain = inverse_pdf * path.cos_origin / squared;
-  vertex.partials.connection = chain * path.sums.connection;
-  vertex.partials.merging = chain * path.sums.merging;
-  vertex.merging_before_last = chain * path.merging_before_origin;
-  if (path.is_connectible) {
-    vertex.partials.inverse_pdf =
-        path.light ? inverse_pdf * direct_over_emission(path, vertex.point) : inverse_pdf;
-  }
+  if (weights_) add_partials(path, vertex);
   return vertex;
 }
 
@@ -84,28 +88,34 @@ std::optional<ScatteringSample> RandomWalk::draw(Subpath& path, const PathVertex
   return scattering.sample(u_lobe, path.rng.next_vec2());
 }
 
+void RandomWalk::close_sums(Subpath& path, const PathVertex& vertex,
+                            const ScatteringSample& sample) const {
+  if (sample.is_delta()) {
+    // The discrete probability is the same from the other side: Fresnel's reflectance is.
+    path.sums = mis_sums_at_delta(vertex.partials, sample.pdf * vertex.survival);
+    path.merging_before_origin = path.sums.merging;
+    return;
+  }
+  const bool from_light = mode_ == TransportMode::Importance;
+  const float count = from_light ? weights_->count_before_light_vertex(vertex.length)
+                                 : weights_->count_before_camera_vertex(vertex.length);
+  const float mergeable =
+      from_light ? weights_->mergeable_light_vertex(vertex.length) : vertex.merge_share;
+  path.sums = mis_sums(vertex.partials, path.pdf_backward, count, mergeable,
+                       from_light ? weights_->independence(path.pdf_backward) : 1.0f);
+  if (!from_light) path.merge_share *= weights_->independence(sample.pdf * vertex.survival);
+  path.merging_before_origin = path.pdf_backward * vertex.partials.merging;
+}
+
 bool RandomWalk::scatter(Subpath& path, const PathVertex& vertex,
                          const Scattering& scattering) const {
   const auto sample = draw(path, vertex, scattering);
   if (!sample || is_black(sample->weight)) return false;
 
-  if (sample->is_delta()) {
-    // The discrete probability is the same from the other side: Fresnel's reflectance is.
-    path.sums = mis_sums_at_delta(vertex.partials, sample->pdf * vertex.survival);
-    path.merging_before_origin = path.sums.merging;
-  } else {
-    const float pdf_backward = scattering.pdf_reverse(sample->wi) * vertex.survival;
-    const bool from_light = mode_ == TransportMode::Importance;
-    const float count = from_light ? weights_.count_before_light_vertex(vertex.length)
-                                   : weights_.count_before_camera_vertex(vertex.length);
-    const float mergeable =
-        from_light ? weights_.mergeable_light_vertex(vertex.length) : vertex.merge_share;
-    path.sums = mis_sums(vertex.partials, pdf_backward, count, mergeable,
-                         from_light ? weights_.independence(pdf_backward) : 1.0f);
-    if (!from_light) path.merge_share *= weights_.independence(sample->pdf * vertex.survival);
-    path.merging_before_origin = pdf_backward * vertex.partials.merging;
-    path.pdf_backward = pdf_backward;
+  if (!sample->is_delta()) {
+    path.pdf_backward = scattering.pdf_reverse(sample->wi) * vertex.survival;
   }
+  if (weights_) close_sums(path, vertex, *sample);
   path.is_connectible = !sample->is_delta();
   path.is_specular_chain &= sample->is_delta();
   path.throughput = vertex.throughput * sample->weight / vertex.survival;

@@ -26,8 +26,9 @@ namespace guidelight {
 /// be fetched.
 class RandomWalk {
  public:
-  /// `weights` must outlive this.
-  RandomWalk(const Scene& scene, TransportMode mode, const MisWeights& weights)
+  /// `weights` must outlive this. Without them, vertices and paths carry no partial sums, which
+  /// saves their computation where no other technique is weighted against.
+  RandomWalk(const Scene& scene, TransportMode mode, const MisWeights* weights = nullptr)
       : scene_(scene), mode_(mode), weights_(weights) {}
 
   template <typename Visitor>
@@ -39,6 +40,8 @@ class RandomWalk {
   void announce(size_t i, size_t count, Visitor& visitor) const;
   /// The vertex at the end of the segment.
   PathVertex arrive(const Subpath& path, const Hit& hit) const;
+  /// The sums at the origin of the segment that leaves a vertex.
+  void close_sums(Subpath& path, const PathVertex& vertex, const ScatteringSample& sample) const;
   /// How the path goes on from the vertex; empty if it ends.
   std::optional<ScatteringSample> draw(Subpath& path, const PathVertex& vertex,
                                        const Scattering& scattering) const;
@@ -47,7 +50,7 @@ class RandomWalk {
 
   const Scene& scene_;
   TransportMode mode_;
-  const MisWeights& weights_;
+  const MisWeights* weights_;
   std::vector<uint32_t> active_;
   std::vector<Ray> rays_;
   std::vector<Hit> hits_;

@@ -44,7 +44,7 @@ void CameraStage::add(uint32_t index, int s, int t, Color contribution, float we
 }
 
 CameraStage::CameraStage(const PassSetup& setup)
-    : setup_(setup), walk_(setup.scene, TransportMode::Radiance, setup.weights) {}
+    : setup_(setup), walk_(setup.scene, TransportMode::Radiance, &setup.weights) {}
 
 void CameraStage::render(const PixelRegion& tile, const LightSide& light, Film& film) {
   light_ = light;

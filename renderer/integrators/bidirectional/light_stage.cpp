@@ -16,7 +16,7 @@ constexpr uint64_t kLightPathStream = 0x6c69676874ull;
 
 LightStage::LightStage(const PassSetup& setup)
     : setup_(setup),
-      walk_(setup.scene, TransportMode::Importance, setup.weights),
+      walk_(setup.scene, TransportMode::Importance, &setup.weights),
       batch_(setup.scene, setup.weights.counts().emission, setup.guided) {}
 
 void LightStage::trace(size_t first, size_t last, Film* film) {

@@ -15,7 +15,7 @@ constexpr size_t kPathsPerTask = 1024;
 EmissionStage::EmissionStage(const PhotonMappingPass& setup, PowerOfVertex power)
     : setup_(setup),
       power_(std::move(power)),
-      walk_(setup.scene, TransportMode::Importance, unused_weights_),
+      walk_(setup.scene, TransportMode::Importance),
       batch_(setup.scene, 1, setup.guided) {}
 
 PassPhotons EmissionStage::trace_all(const PhotonMappingPass& setup, Parallel& parallel,

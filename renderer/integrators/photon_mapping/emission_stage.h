@@ -36,7 +36,6 @@ class EmissionStage {
 
   const PhotonMappingPass& setup_;
   PowerOfVertex power_;
-  MisWeights unused_weights_{TechniqueCounts{}};
   RandomWalk walk_;
   PassPhotons photons_;
   LightPathBatch batch_;

@@ -42,7 +42,7 @@ GatherPoints::GatherPoints(const PhotonMappingPass& setup, const GatheredLight& 
     : setup_(setup),
       rule_(setup),
       gather_(setup.scene, light),
-      walk_(setup.scene, TransportMode::Radiance, unused_weights_) {}
+      walk_(setup.scene, TransportMode::Radiance) {}
 
 bool GatherPoints::visit(uint32_t index, Subpath& path, const PathVertex& vertex,
                          const Scattering& scattering) {

@@ -73,7 +73,6 @@ class GatherPoints {
   const PhotonMappingPass& setup_;
   GatherRule rule_;
   FinalGather gather_;
-  MisWeights unused_weights_{TechniqueCounts{}};
   RandomWalk walk_;
   std::vector<Point> points_;
 };

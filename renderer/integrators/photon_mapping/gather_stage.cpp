@@ -10,7 +10,7 @@ GatherStage::GatherStage(const PhotonMappingPass& setup, const GatheredLight& li
       maps_(maps),
       rule_(setup),
       gather_(setup.scene, light),
-      walk_(setup.scene, TransportMode::Radiance, unused_weights_) {}
+      walk_(setup.scene, TransportMode::Radiance) {}
 
 void GatherStage::render(const PixelRegion& tile, Film& film) {
   tile_ = tile;

@@ -50,7 +50,6 @@ class GatherStage {
   const PhotonMaps& maps_;
   GatherRule rule_;
   FinalGather gather_;
-  MisWeights unused_weights_{TechniqueCounts{}};
   RandomWalk walk_;
   PixelRegion tile_;
   std::vector<FilmSample> samples_;

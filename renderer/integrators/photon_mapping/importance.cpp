@@ -18,9 +18,7 @@ bool sees_along_lines(const Camera& camera) { return camera.has_pinhole(); }
 class EyeWalk {
  public:
   EyeWalk(const PhotonMappingPass& setup, size_t count)
-      : setup_(setup),
-        count_(count),
-        walk_(setup.scene, TransportMode::Radiance, unused_weights_) {}
+      : setup_(setup), count_(count), walk_(setup.scene, TransportMode::Radiance) {}
 
   /// Traces paths [first, last).
   PassPhotons trace(size_t first, size_t last) {
@@ -57,7 +55,6 @@ class EyeWalk {
  private:
   const PhotonMappingPass& setup_;
   size_t count_;
-  MisWeights unused_weights_{TechniqueCounts{}};
   RandomWalk walk_;
   std::vector<uint8_t> diffuse_events_;  // of each path so far
   PassPhotons particles_;

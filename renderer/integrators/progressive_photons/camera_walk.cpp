@@ -34,8 +34,7 @@ void CameraWalk::trace(const PixelRegion& tile, const Filter& filter, const Meas
       }
     }
   }
-  const MisWeights weights{TechniqueCounts{}};  // there is one technique
-  RandomWalk(scene_, TransportMode::Radiance, weights).run(subpaths_, *this);
+  RandomWalk(scene_, TransportMode::Radiance).run(subpaths_, *this);
 }
 
 FilmSample CameraWalk::pixel_sample(size_t i) const {

@@ -111,7 +111,7 @@ class Closures {
 
  private:
   void run(TransportMode mode, Subpath start, Walk& walk, Vec3* origin) {
-    RandomWalk random_walk(*scene_, mode, weights_);
+    RandomWalk random_walk(*scene_, mode, &weights_);
     Recorder recorder{walk};
     if (origin) *origin = start.origin;
     random_walk.run({&start, 1}, recorder);
