@@ -9,8 +9,8 @@
 namespace guidelight {
 
 /// Keeps the program from growing while renders come and go: what they used is freed in pieces all
-/// over the allocator's arenas, which would keep it for good. As long as there are new pictures, and
-/// once after the last, free pages are given back.
+/// over the allocator's arenas, which would keep it for good. As long as there are new pictures,
+/// and once after the last, free pages are given back.
 class MemoryKeeper {
  public:
   using Clock = std::chrono::steady_clock;

@@ -14,7 +14,7 @@ namespace {
 constexpr float kConeShare = 0.4f;   // of the segment that a cone is drawn along
 constexpr float kWidestCone = 1.3f;  // [rad] that is drawn to scale
 constexpr size_t kCandidatesDrawn = 24;
-constexpr ImU32 kShade = IM_COL32(0, 0, 0, 90);
+constexpr ImU32 kBackdrop = IM_COL32(0, 0, 0, 90);
 constexpr float kOffOpacity = 0.35f;  // of a guide that is switched off
 
 /// One guide over one view.
@@ -145,7 +145,7 @@ void draw_harvest(const Document& document, const ToolView& view, ImDrawList& li
       points.push_back(vertex.position);
     }
     const float thickness = scaled(selected ? 2.5f : 1.0f);
-    painter.polyline(points, kShade, thickness + scaled(2));  // against a bright picture
+    painter.polyline(points, kBackdrop, thickness + scaled(2));  // against a bright picture
     painter.polyline(points, color, thickness);
     for (const Vec3 point : points) painter.dot(point, color, scaled(selected ? 3.5f : 2.0f));
   }
