@@ -71,5 +71,31 @@ TEST(PhotonMap, estimates_of_a_surface_too_small_are_not_made) {
   EXPECT_GT(luminance(map.radiance(vertex, scattering, settings)), 0);
 }
 
+TEST(PhotonMap, estimates_that_rest_on_few_photons_are_not_made) {
+  SceneDescription description = testing::empty_scene();
+  const int grey = testing::add_diffuse(description, Color(0.5f));
+  testing::add_rectangle(description, Mat4(1), grey);
+  const auto scene = testing::build(description);
+  const PathVertex vertex = tilted_vertex(*scene, 0);
+  std::vector<SurfacePhoton> photons;
+  for (int i = 0; i < 20; ++i) {
+    PathVertex left = vertex;
+    left.wo = Vec3(0.6f, 0, 0.8f);
+    left.point.position = Vec3(0.001f * static_cast<float>(i), 0, 0);
+    left.point.geometric_normal = Vec3(0, 0, 1);
+    // One is as bright as all others together: 20 of them count as (38)²/(19² + 19) = 3.8.
+    photons.push_back(make_surface_photon(left, Color(i == 7 ? 19.0f : 1.0f), false));
+  }
+  Parallel parallel(1);
+  const PhotonMap map(photons, parallel);
+  const Scattering scattering(vertex.point, vertex.wo, TransportMode::Radiance);
+  EstimateSettings settings{
+      .neighbors = 20, .max_distance = 10, .kernel = Kernel::Constant, .max_length = 9};
+  settings.min_effective = 3.6f;
+  EXPECT_GT(luminance(map.radiance(vertex, scattering, settings)), 0);
+  settings.min_effective = 4;
+  EXPECT_EQ(luminance(map.radiance(vertex, scattering, settings)), 0);
+}
+
 }  // namespace
 }  // namespace guidelight
