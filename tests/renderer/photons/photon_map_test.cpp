@@ -19,11 +19,15 @@ PathVertex tilted_vertex(const Scene& scene, float tilt) {
   return vertex;
 }
 
-TEST(PhotonMap, light_has_passed_the_cosine_where_the_photon_is) {
+std::shared_ptr<const Scene> grey_plate() {
   SceneDescription description = testing::empty_scene();
   const int grey = testing::add_diffuse(description, Color(0.5f));
   testing::add_rectangle(description, Mat4(1), grey);
-  const auto scene = testing::build(description);
+  return testing::build(description);
+}
+
+TEST(PhotonMap, light_has_passed_the_cosine_where_the_photon_is) {
+  const auto scene = grey_plate();
   // The light comes along the surface of the vertex, nearly, but not of the photon.
   constexpr float kTilt = 0.6f;
   constexpr float kGrazing = 1e-3f;
@@ -47,10 +51,7 @@ TEST(PhotonMap, light_has_passed_the_cosine_where_the_photon_is) {
 }
 
 TEST(PhotonMap, estimates_of_a_surface_too_small_are_not_made) {
-  SceneDescription description = testing::empty_scene();
-  const int grey = testing::add_diffuse(description, Color(0.5f));
-  testing::add_rectangle(description, Mat4(1), grey);
-  const auto scene = testing::build(description);
+  const auto scene = grey_plate();
   const PathVertex vertex = tilted_vertex(*scene, 0);
   std::vector<SurfacePhoton> photons;
   for (int i = 0; i < 100; ++i) {
@@ -72,10 +73,7 @@ TEST(PhotonMap, estimates_of_a_surface_too_small_are_not_made) {
 }
 
 TEST(PhotonMap, estimates_that_rest_on_few_photons_are_not_made) {
-  SceneDescription description = testing::empty_scene();
-  const int grey = testing::add_diffuse(description, Color(0.5f));
-  testing::add_rectangle(description, Mat4(1), grey);
-  const auto scene = testing::build(description);
+  const auto scene = grey_plate();
   const PathVertex vertex = tilted_vertex(*scene, 0);
   std::vector<SurfacePhoton> photons;
   for (int i = 0; i < 20; ++i) {
