@@ -55,7 +55,7 @@ Color PhotonMap::radiance(const PathVertex& vertex, const Scattering& scattering
         (kernel_value(settings.kernel, neighbor.distance_squared, neighbors.radius_squared) /
          cosine);
     sum += contribution;
-    squares += sqr(luminance(contribution));
+    if (settings.min_effective > 0) squares += sqr(luminance(contribution));
   }
   const bool is_certain = sqr(luminance(sum)) >= settings.min_effective * squares;
   return is_certain ? sum : Color(0.0f);

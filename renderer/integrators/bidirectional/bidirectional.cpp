@@ -199,8 +199,7 @@ std::vector<IntegratorInfo> bidirectional_infos() {
                   bidirectional_settings<ProbabilisticPpm>, create_bidirectional});
   list.push_back({"bpm", "Photon merging, fixed radius",
                   "Bidirectional photon mapping with one radius: photons merged at every camera "
-                  "vertex, weighted "
-                  "against each other.",
+                  "vertex, weighted against each other.",
                   bidirectional_settings<Bpm>, create_bidirectional});
   list.push_back({"bdpm", "Bidirectional photon mapping",
                   "The nearest photons merged at every camera vertex, weighted against each other: "

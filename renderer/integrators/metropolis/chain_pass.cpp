@@ -68,9 +68,11 @@ uint64_t ChainPass::steps_per_chain(const Film& film) const {
 
 bool ChainPass::prepare(uint32_t pass, Film& film, const PassContext& context) {
   film.prepare_splats();
-  for (int i = 0; direct_ && i < settings_.direct_samples; ++i) {
+  if (direct_) {
     const auto samples = static_cast<uint32_t>(settings_.direct_samples);
-    direct_->render_pass(pass * samples + static_cast<uint32_t>(i), film, context);
+    for (uint32_t i = 0; i < samples; ++i) {
+      direct_->render_pass(pass * samples + i, film, context);
+    }
   }
   if (lengths_.min > lengths_.max) return false;
   const uint64_t half = steps_per_chain(film) * settings_.chains / 2;

@@ -45,11 +45,11 @@ void GatherStage::escaped(uint32_t index, Subpath& path) {
   for (const Light* light : setup_.scene.infinite_lights()) {
     const Color radiance = light->radiance_from(towards);
     if (is_black(radiance)) continue;
-    const float direct =
+    const float pdf_direct =
         path.is_connectible && path.length > 0
             ? light->pdf_direct_from(towards) * setup_.scene.light_probability(*light)
             : 0.0f;
-    add(index, length, path.throughput * radiance * hit_weight(path.pdf, direct));
+    add(index, length, path.throughput * radiance * hit_weight(path.pdf, pdf_direct));
   }
 }
 
@@ -60,12 +60,13 @@ bool GatherStage::visit(uint32_t index, Subpath& path, const PathVertex& vertex,
   if (length == 1) record_first_hit(samples_[index], vertex.point, vertex.hit.t);
   if (vertex.point.light && setup_.is_shown(length)) {
     const Light& light = *vertex.point.light;
-    const float direct =
+    const float pdf_direct =
         path.is_connectible && length > 1
             ? light.pdf_direct(path.origin, vertex.point) * setup_.scene.light_probability(light)
             : 0.0f;
     add(index, length,
-        vertex.throughput * light.radiance(vertex.point, vertex.wo) * hit_weight(path.pdf, direct));
+        vertex.throughput * light.radiance(vertex.point, vertex.wo) *
+            hit_weight(path.pdf, pdf_direct));
   }
   if (length >= setup_.global.max_length) return false;
   if (vertex.is_connectible()) {

@@ -37,8 +37,8 @@ class GatherStage {
   };
 
   void add(uint32_t index, int length, Color contribution);
-  /// Sharp scattering of a finite density shares direct light with add_direct by the balance
-  /// heuristic: of the light that a path meets. Densities per solid angle.
+  /// Weight of the light that a path meets, by the balance heuristic against add_direct. Densities
+  /// per solid angle; `pdf_direct` is 0 where add_direct cannot find it.
   float hit_weight(float pdf, float pdf_direct) const;
   void add_direct(uint32_t index, const PathVertex& vertex, const Scattering& scattering, Rng& rng);
   void add_caustic(uint32_t index, const PathVertex& vertex, const Scattering& scattering);

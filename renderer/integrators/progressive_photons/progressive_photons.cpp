@@ -208,8 +208,7 @@ std::vector<IntegratorInfo> progressive_photon_infos() {
        progressive_settings<Ppm>, create_progressive});
   list.push_back({"sppm", "Stochastic PPM",
                   "Progressive photon mapping with new points in every pass: good at caustics seen "
-                  "in mirrors or "
-                  "through glass, with depth of field and fine edges.",
+                  "in mirrors or through glass, with depth of field and fine edges.",
                   progressive_settings<Sppm>, create_progressive});
   return list;
 }

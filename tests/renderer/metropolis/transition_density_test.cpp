@@ -18,7 +18,7 @@ namespace {
 
 using statistics::Moments;
 
-constexpr int kMutatedPaths = 4;  // that are mutated
+constexpr int kMutatedPaths = 4;
 constexpr float kMoveRadius = 0.03f;
 constexpr PathLengths kTransitionLengths{3, 3};
 

@@ -26,6 +26,14 @@ std::shared_ptr<const Scene> grey_plate() {
   return testing::build(description);
 }
 
+/// Of light that comes slantwise, at x = i mm.
+SurfacePhoton photon_beside(PathVertex vertex, int i, Vec3 normal, float power) {
+  vertex.wo = Vec3(0.6f, 0, 0.8f);
+  vertex.point.position = Vec3(0.001f * static_cast<float>(i), 0, 0);
+  vertex.point.geometric_normal = normal;
+  return make_surface_photon(vertex, Color(power), false);
+}
+
 TEST(PhotonMap, light_has_passed_the_cosine_where_the_photon_is) {
   const auto scene = grey_plate();
   // The light comes along the surface of the vertex, nearly, but not of the photon.
@@ -55,12 +63,8 @@ TEST(PhotonMap, estimates_of_a_surface_too_small_are_not_made) {
   const PathVertex vertex = tilted_vertex(*scene, 0);
   std::vector<SurfacePhoton> photons;
   for (int i = 0; i < 100; ++i) {
-    PathVertex left = vertex;
-    left.wo = Vec3(0.6f, 0, 0.8f);
-    left.point.position = Vec3(0.001f * static_cast<float>(i), 0, 0);
     // Nine on another surface for each on that of the vertex.
-    left.point.geometric_normal = i % 10 == 0 ? Vec3(0, 0, 1) : Vec3(1, 0, 0);
-    photons.push_back(make_surface_photon(left, Color(1.0f), false));
+    photons.push_back(photon_beside(vertex, i, i % 10 == 0 ? Vec3(0, 0, 1) : Vec3(1, 0, 0), 1));
   }
   Parallel parallel(1);
   const PhotonMap map(photons, parallel);
@@ -77,12 +81,8 @@ TEST(PhotonMap, estimates_that_rest_on_few_photons_are_not_made) {
   const PathVertex vertex = tilted_vertex(*scene, 0);
   std::vector<SurfacePhoton> photons;
   for (int i = 0; i < 20; ++i) {
-    PathVertex left = vertex;
-    left.wo = Vec3(0.6f, 0, 0.8f);
-    left.point.position = Vec3(0.001f * static_cast<float>(i), 0, 0);
-    left.point.geometric_normal = Vec3(0, 0, 1);
     // One is as bright as all others together: 20 of them count as (38)²/(19² + 19) = 3.8.
-    photons.push_back(make_surface_photon(left, Color(i == 7 ? 19.0f : 1.0f), false));
+    photons.push_back(photon_beside(vertex, i, Vec3(0, 0, 1), i == 7 ? 19.0f : 1.0f));
   }
   Parallel parallel(1);
   const PhotonMap map(photons, parallel);
