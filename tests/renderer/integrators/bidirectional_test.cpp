@@ -15,16 +15,18 @@ namespace {
 
 using statistics::Moments;
 
-std::unique_ptr<IntegratorSettings> settings_for(
-    const std::string& name, const std::vector<std::pair<std::string, std::string>>& values = {}) {
+using Values = std::vector<std::pair<std::string, std::string>>;
+
+std::unique_ptr<IntegratorSettings> settings_for(const std::string& name,
+                                                 const Values& values = {}) {
   auto settings = find_integrator(name).make_settings({});
   for (const auto& [key, value] : values) set_parameter(*settings, key, value);
   return settings;
 }
 
-Film render_with(std::shared_ptr<const Scene> scene, const std::string& name,
-                 const std::vector<std::pair<std::string, std::string>>& values, uint32_t passes,
-                 uint64_t seed = 1, int threads = 2, TechniqueImages* techniques = nullptr) {
+Film render_with(std::shared_ptr<const Scene> scene, const std::string& name, const Values& values,
+                 uint32_t passes, uint64_t seed = 1, int threads = 2,
+                 TechniqueImages* techniques = nullptr) {
   const Camera& camera = scene->camera();
   Film film(camera.width(), camera.height(), camera.film().filter);
   const auto integrator = find_integrator(name).create(scene, *settings_for(name, values));
@@ -35,6 +37,18 @@ Film render_with(std::shared_ptr<const Scene> scene, const std::string& name,
     film.finish_pass();
   }
   return film;
+}
+
+/// Counts of paths that are enough for a small picture, where their defaults are for a large one.
+Values few_paths(const std::string& integrator) {
+  if (integrator == "photon_map") return {{"light_paths", "5000"}, {"gather_rays", "25"}};
+  if (integrator == "mlt" || integrator == "pssmlt") return {{"seed_paths", "4000"}};
+  if (integrator != "mps") return {};
+  return {{"seed_paths", "4000"},
+          {"mutations", "5000"},
+          {"light_paths", "5000"},
+          {"importance_paths", "5000"},
+          {"gather_rays", "25"}};
 }
 
 double mean(const Film& film, Layer layer = Layer::Beauty) {
@@ -137,7 +151,7 @@ TEST(Bidirectional, layers_add_up) {
   testing::add_sphere(description, {0.3f, -0.6f, -0.3f}, 0.3f,
                       static_cast<int>(description.bsdfs.size()) - 1);
   for (const char* name : {"bdpt", "vcm", "bpm", "bdpm", "light", "pppm"}) {
-    std::vector<std::pair<std::string, std::string>> values = {{"light_paths", "8"}};
+    Values values = {{"light_paths", "8"}};
     if (name != std::string("bdpt") && name != std::string("light")) {
       values.emplace_back("scene_radius", "5");
     }
@@ -252,8 +266,9 @@ TEST(Photons, are_thinned_out_to_the_cap) {
 TEST(EveryIntegrator, is_the_same_on_one_and_two_threads) {
   const auto scene = testing::build(testing::room(40, 24));
   for (const IntegratorInfo& info : integrators()) {
-    const Image one = render_with(scene, info.name, {}, 2, 7, 1).develop(Layer::Beauty);
-    const Image two = render_with(scene, info.name, {}, 2, 7, 2).develop(Layer::Beauty);
+    const Values values = few_paths(info.name);
+    const Image one = render_with(scene, info.name, values, 2, 7, 1).develop(Layer::Beauty);
+    const Image two = render_with(scene, info.name, values, 2, 7, 2).develop(Layer::Beauty);
     for (size_t i = 0; i < one.data().size(); ++i) {
       ASSERT_NEAR(one.data()[i], two.data()[i], 1e-6 + 1e-5 * one.data()[i]) << info.name;
     }
@@ -268,7 +283,8 @@ TEST(EveryIntegrator, renders_scenes_that_are_hardly_any) {
   const SceneDescription empty = testing::empty_scene(16, 16);
   for (const IntegratorInfo& info : integrators()) {
     for (const SceneDescription& description : {dark, powerless, empty}) {
-      const Film film = render_with(testing::build(description), info.name, {}, 2);
+      const Film film =
+          render_with(testing::build(description), info.name, few_paths(info.name), 2);
       EXPECT_EQ(mean(film), 0) << info.name;
       EXPECT_EQ(film.rejected(), 0u) << info.name;
     }
@@ -303,18 +319,10 @@ TEST(EveryIntegrator, of_path_length_one_shows_emitters) {
   }
 }
 
-/// What is enough for the photons of a chain in a small picture.
-void append_few_paths(std::vector<std::pair<std::string, std::string>>& values) {
-  values.insert(values.end(),
-                {{"mutations", "20000"}, {"light_paths", "20000"}, {"importance_paths", "20000"}});
-}
-
 TEST(EveryIntegrator, of_chains_renders_a_single_pixel) {
   const auto scene = testing::build(testing::room(1, 1));
   for (const char* name : {"mlt", "pssmlt", "mps"}) {
-    std::vector<std::pair<std::string, std::string>> values = {{"seed_paths", "4000"}};
-    if (name == std::string("mps")) append_few_paths(values);
-    const Film film = render_with(scene, name, values, 2);
+    const Film film = render_with(scene, name, few_paths(name), 2);
     EXPECT_GT(mean(film), 0) << name;
     EXPECT_TRUE(std::isfinite(mean(film))) << name;
     EXPECT_EQ(film.rejected(), 0u) << name;
@@ -323,7 +331,7 @@ TEST(EveryIntegrator, of_chains_renders_a_single_pixel) {
 
 TEST(EveryIntegrator, of_photons_from_chains_starts_them_anew_in_every_round) {
   const auto scene = testing::build(testing::room(4, 4));
-  const auto settings = settings_for("mps");
+  const auto settings = settings_for("mps", few_paths("mps"));
   set_parameter(*settings, "chains", "8");
   set_parameter(*settings, "mutations", "800");
   const auto mps = find_integrator("mps").create(scene, *settings);
@@ -342,9 +350,8 @@ TEST(EveryIntegrator, of_chains_has_a_shortest_and_a_longest_path) {
   const auto scene = testing::build(testing::room(16, 16));
   for (const char* name : {"mlt", "pssmlt", "mps"}) {
     const auto mean_of = [&](const char* shortest, const char* longest) {
-      std::vector<std::pair<std::string, std::string>> values = {
-          {"min_length", shortest}, {"max_length", longest}, {"seed_paths", "4000"}};
-      if (name == std::string("mps")) append_few_paths(values);
+      Values values = few_paths(name);
+      values.insert(values.end(), {{"min_length", shortest}, {"max_length", longest}});
       return mean(render_with(scene, name, values, 2));
     };
     EXPECT_EQ(mean_of("4", "3"), 0) << name;
@@ -364,19 +371,16 @@ TEST(EveryIntegrator, sees_from_inside_glass) {
   const double expected = mean(render_with(scene, "path", {{"max_depth", "6"}}, 1024));
   for (const IntegratorInfo& info : integrators()) {
     if (info.name == "path" || info.name == "light") continue;  // light meets no lens behind glass
-    std::vector<std::pair<std::string, std::string>> values = {{"max_length", "6"}};
-    const auto settings = settings_for(info.name);
-    for (const Parameter& parameter : settings->parameters()) {
-      const bool is_of_chains = info.name == "mlt" || info.name == "pssmlt";
+    Values values = few_paths(info.name);
+    values.emplace_back("max_length", "6");
+    for (const Parameter& parameter : settings_for(info.name)->parameters()) {
+      const bool counts_all = info.name == "photon_map" || info.name == "mps";
       if (parameter.key == "scene_radius" && info.name != "bdpm") {
         values.emplace_back("scene_radius", "2");
       }
-      if (parameter.key == "light_paths") {
-        values.emplace_back("light_paths", info.name == "photon_map" ? "30000" : "16");
-      }
-      if (parameter.key == "mutations" && is_of_chains) values.emplace_back("mutations", "64");
+      if (parameter.key == "light_paths" && !counts_all) values.emplace_back("light_paths", "16");
+      if (parameter.key == "mutations" && !counts_all) values.emplace_back("mutations", "64");
     }
-    if (info.name == "mps") append_few_paths(values);
     EXPECT_NEAR(mean(render_with(scene, info.name, values, 24)), expected, 0.05 * expected)
         << info.name;
   }
@@ -388,8 +392,7 @@ TEST(Bidirectional, the_shortest_path_leaves_out_shorter_ones) {
     const std::pair<std::string, std::string> radius = {"scene_radius", "3"};
     const bool merges = name == std::string("vcm") || name == std::string("bpm");
     const auto mean_of = [&](const char* shortest, const char* longest) {
-      std::vector<std::pair<std::string, std::string>> values = {
-          {"min_length", shortest}, {"max_length", longest}, {"light_paths", "4"}};
+      Values values = {{"min_length", shortest}, {"max_length", longest}, {"light_paths", "4"}};
       if (merges) values.push_back(radius);
       return mean(render_with(scene, name, values, 32));
     };
