@@ -13,35 +13,41 @@ constexpr float kLowestSurvival = 0.1f;
 /// Light that glass or mirrors without loss hold for ever is given up after a hundred segments.
 constexpr float kHighestSurvival = 0.99f;
 
+/// Guides draw directions that a BSDF hardly would, and the ratios of densities multiply: beyond
+/// this a weight is 0 anyway, and infinity times the 0 of a technique that is off would be no
+/// number.
+constexpr float kLargestPartial = 1e30f;
+float bounded(float partial) { return std::min(partial, kLargestPartial); }
+
 /// Density of next-event estimation over that of emission for the point on the light where the path
-/// began, as its first vertex sees it; choosing the light cancels.
-float direct_over_emission(const Subpath& path, const SurfacePoint& vertex) {
+/// began, as its first vertex sees it; choosing the light cancels. Times the squared distance
+/// between them, which may be 0.
+float direct_over_emission(const Subpath& path, const SurfacePoint& vertex, float squared) {
   const Light& light = *path.light;
-  if (light.is_delta()) return 1;
+  if (light.is_delta()) return squared;
   const EmissionSample& emission = *path.emission;
   if (light.is_infinite()) {
-    return light.pdf_direct_from(-path.ray.direction) / emission.pdf_direction;
+    return squared * light.pdf_direct_from(-path.ray.direction) / emission.pdf_direction;
   }
-  const float squared = length_squared(vertex.position - emission.point.position);
-  const float pdf_area =
-      light.pdf_direct(vertex.position, emission.point) * emission.cos_light / squared;
-  return pdf_area / emission.pdf_position;
+  return light.pdf_direct(vertex.position, emission.point) * emission.cos_light /
+         emission.pdf_position;
 }
 
 /// Fills what the vertex at the end of a segment carries of the balance heuristic.
 void add_partials(const Subpath& path, PathVertex& vertex) {
-  // Densities per solid angle become densities per area by cosθ/d² (Veach 1997, 8.10).
+  // Densities per solid angle become densities per area by cosθ/d² (Veach 1997, 8.10); the d² of
+  // both directions cancel in the chain.
   const float cos_here = std::abs(glm::dot(vertex.wo, vertex.point.geometric_normal));
   const float squared =
       path.is_parallel ? 1.0f : length_squared(vertex.point.position - path.origin);
-  const float inverse_pdf = squared / (path.pdf * cos_here);
-  const float chain = inverse_pdf * path.cos_origin / squared;
-  vertex.partials.connection = chain * path.sums.connection;
-  vertex.partials.merging = chain * path.sums.merging;
-  vertex.merging_before_last = chain * path.merging_before_origin;
+  const float inverse = bounded(1 / (path.pdf * cos_here));
+  const float chain = inverse * path.cos_origin;
+  vertex.partials.connection = bounded(chain * path.sums.connection);
+  vertex.partials.merging = bounded(chain * path.sums.merging);
+  vertex.merging_before_last = bounded(chain * path.merging_before_origin);
   if (path.is_connectible) {
-    vertex.partials.inverse_pdf =
-        path.light ? inverse_pdf * direct_over_emission(path, vertex.point) : inverse_pdf;
+    const float directly = path.light ? direct_over_emission(path, vertex.point, squared) : squared;
+    vertex.partials.inverse_pdf = bounded(inverse * directly);
   }
 }
 
@@ -52,12 +58,12 @@ float survival_probability(const SurfacePoint& point) {
 }
 
 EscapePartials escape_partials(const Subpath& path) {
-  const float inverse_pdf = 1 / path.pdf;
+  const float inverse_pdf = bounded(1 / path.pdf);
   const float chain = inverse_pdf * path.cos_origin;
   return {{.inverse_pdf = path.is_connectible ? inverse_pdf : 0.0f,
-           .connection = chain * path.sums.connection,
-           .merging = chain * path.sums.merging},
-          chain * path.merging_before_origin};
+           .connection = bounded(chain * path.sums.connection),
+           .merging = bounded(chain * path.sums.merging)},
+          bounded(chain * path.merging_before_origin)};
 }
 
 PathVertex RandomWalk::arrive(const Subpath& path, const Hit& hit) const {
