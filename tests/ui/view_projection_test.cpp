@@ -77,10 +77,17 @@ TEST_P(AllCameras, LinesEndAtTheEye) {
   EXPECT_FALSE(projection.to_screen(behind, behind - camera.forward()));
 }
 
+std::string camera_name(const ::testing::TestParamInfo<AllCameras::ParamType>& test) {
+  const auto& [model, mirrored] = test.param;
+  const std::string name = model == CameraModel::Perspective ? "perspective" : "orthographic";
+  return name + (mirrored ? "_mirrored" : "");
+}
+
 INSTANTIATE_TEST_SUITE_P(Models, AllCameras,
                          ::testing::Combine(::testing::Values(CameraModel::Perspective,
                                                               CameraModel::Orthographic),
-                                            ::testing::Bool()));
+                                            ::testing::Bool()),
+                         camera_name);
 
 }  // namespace
 }  // namespace guidelight

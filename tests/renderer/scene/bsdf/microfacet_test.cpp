@@ -15,6 +15,7 @@ namespace {
 using statistics::SphereGrid;
 
 struct Facets {
+  std::string name;
   Microfacet kind;
   float alpha_u;
   float alpha_v;
@@ -69,13 +70,15 @@ TEST_P(MicrofacetTest, VisibleNormalsAreDrawnAsTheirDensitySays) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, MicrofacetTest,
-                         ::testing::Values(Facets{Microfacet::Ggx, 0.1f, 0.1f},
-                                           Facets{Microfacet::Ggx, 0.7f, 0.7f},
-                                           Facets{Microfacet::Ggx, 0.15f, 0.6f},
-                                           Facets{Microfacet::Beckmann, 0.1f, 0.1f},
-                                           Facets{Microfacet::Beckmann, 0.7f, 0.7f},
-                                           Facets{Microfacet::Beckmann, 0.5f, 0.15f}));
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, MicrofacetTest,
+    ::testing::Values(Facets{"smooth_ggx", Microfacet::Ggx, 0.1f, 0.1f},
+                      Facets{"rough_ggx", Microfacet::Ggx, 0.7f, 0.7f},
+                      Facets{"brushed_ggx", Microfacet::Ggx, 0.15f, 0.6f},
+                      Facets{"smooth_beckmann", Microfacet::Beckmann, 0.1f, 0.1f},
+                      Facets{"rough_beckmann", Microfacet::Beckmann, 0.7f, 0.7f},
+                      Facets{"brushed_beckmann", Microfacet::Beckmann, 0.5f, 0.15f}),
+    [](const auto& test) { return test.param.name; });
 
 TEST(Fresnel, DielectricAtTheAnglesThatHaveClosedForms) {
   EXPECT_NEAR(fresnel_dielectric(1, 1.5f).reflectance, 0.04f, 1e-6f);   // ((η-1)/(η+1))²
