@@ -85,8 +85,9 @@ Neighbors PhotonMap::nearest_on_surface(const SurfacePoint& point, const Estimat
   return {buffer.first(k), buffer[k - 1].distance_squared};
 }
 
-Color PhotonMap::irradiance(Vec3 position, Vec3 normal, const EstimateSettings& settings,
-                            int max_length) const {
+PhotonMap::Irradiance PhotonMap::irradiance(Vec3 position, Vec3 normal,
+                                            const EstimateSettings& settings,
+                                            int max_length) const {
   const float k = static_cast<float>(settings.neighbors) * kOversearch;
   Buffer buffer;
   const Neighbors neighbors =
@@ -99,7 +100,7 @@ Color PhotonMap::irradiance(Vec3 position, Vec3 normal, const EstimateSettings& 
     sum += photon.power() *
            kernel_value(settings.kernel, neighbor.distance_squared, neighbors.radius_squared);
   }
-  return sum * kOversearch;
+  return {sum * kOversearch, neighbors.radius_squared};
 }
 
 IrradianceMap::IrradianceMap(const PhotonMap& photons, const EstimateSettings& settings,
@@ -108,14 +109,20 @@ IrradianceMap::IrradianceMap(const PhotonMap& photons, const EstimateSettings& s
   std::vector<Point> points;
   for (const SurfacePhoton& photon : photons.photons()) {
     if (!is_irradiance_point(photon)) continue;
-    points.push_back({photon.position, photon.packed_normal, Color(0.0f)});
+    points.push_back({photon.position, photon.packed_normal, Color(0.0f), 0});
   }
+  // The disc of an estimate of k photons holds k/4 points, so that one of them is nearly always in
+  // reach. Where the reach would hold fewer than 5 it is made larger: bright estimates, whose discs
+  // are small, must not be those that are not found.
+  const float growth = std::max(1.0f, 5.0f * kPhotonsPerPoint / settings.neighbors);
   parallel.for_each((points.size() + kPointsPerTask - 1) / kPointsPerTask, [&](size_t task) {
     const size_t end = std::min(points.size(), (task + 1) * kPointsPerTask);
     for (size_t i = task * kPointsPerTask; i < end; ++i) {
       Point& point = points[i];
-      point.irradiance = photons.irradiance(point.position, unpack_direction(point.packed_normal),
-                                            settings, max_length);
+      const auto estimate = photons.irradiance(
+          point.position, unpack_direction(point.packed_normal), settings, max_length);
+      point.irradiance = estimate.value;
+      point.reach_squared = growth * estimate.radius_squared;
     }
   });
   tree_ = KdTree<Point>(points, parallel);
@@ -130,7 +137,8 @@ std::optional<Color> IrradianceMap::irradiance(Vec3 position, Vec3 normal,
   float best_distance = kInfinity;
   for (const Neighbor& neighbor : neighbors.found) {
     const Point& point = tree_.items()[neighbor.index];
-    const bool fits = is_same_side(unpack_direction(point.packed_normal), normal);
+    const bool fits = neighbor.distance_squared <= point.reach_squared &&
+                      is_same_side(unpack_direction(point.packed_normal), normal);
     if (!fits || neighbor.distance_squared >= best_distance) continue;
     best = &point;
     best_distance = neighbor.distance_squared;

@@ -54,10 +54,14 @@ class PhotonMap {
   Color radiance(const PathVertex& vertex, const Scattering& scattering,
                  const EstimateSettings& settings) const;
 
+  struct Irradiance {
+    Color value;
+    float radius_squared;  // of the disc that it is an estimate of
+  };
   /// Irradiance of a surface on the side of its unit normal, by photons of at most `max_length`
   /// segments that are not is_irradiance_point(); scaled up for those.
-  Color irradiance(Vec3 position, Vec3 normal, const EstimateSettings& settings,
-                   int max_length) const;
+  Irradiance irradiance(Vec3 position, Vec3 normal, const EstimateSettings& settings,
+                        int max_length) const;
 
  private:
   /// The k photons nearest to a point that lie on a surface of the same direction, or none.
@@ -83,7 +87,8 @@ class IrradianceMap {
                 Parallel& parallel);
 
   /// From the nearest point of the same surface and side; empty if there is none within
-  /// `max_distance`.
+  /// `max_distance`, or none whose own estimate reaches as far as here: the other side of a thin
+  /// wall may be bright, with many photons in small discs.
   std::optional<Color> irradiance(Vec3 position, Vec3 normal, float max_distance) const;
 
  private:
@@ -91,6 +96,7 @@ class IrradianceMap {
     Vec3 position;
     uint32_t packed_normal;
     Color irradiance;
+    float reach_squared;
   };
   KdTree<Point> tree_;
 };

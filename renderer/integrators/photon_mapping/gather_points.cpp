@@ -15,27 +15,39 @@ int refinement_level(int x, int y) {
   return level;
 }
 
+/// Of a pixel's first camera path, in the picture.
+uint64_t path_number(const PhotonMappingPass& setup, int x, int y) {
+  const auto pixel = static_cast<uint64_t>(y) * setup.scene.camera().width() + x;
+  return pixel * setup.settings.camera_samples;
+}
+
 }  // namespace
 
 CameraPaths start_camera_paths(const PhotonMappingPass& setup, const PixelRegion& tile,
                                const Filter& filter) {
   CameraPaths result;
-  const int width = setup.scene.camera().width();
   for (int y = tile.y0; y < tile.y1; ++y) {
     for (int x = tile.x0; x < tile.x1; ++x) {
-      Rng rng(setup.seed, setup.pass, static_cast<uint64_t>(y) * width + x);
-      const Filter::Sample offset = filter.sample(rng.next_vec2());
-      const Vec2 raster = Vec2(x + 0.5f, y + 0.5f) + offset.offset;
-      result.paths.push_back(start_camera_path(setup.scene, raster, rng));
-      result.filter_weights.push_back(offset.weight);
+      for (int i = 0; i < setup.settings.camera_samples; ++i) {
+        Rng rng(setup.seed, setup.pass, path_number(setup, x, y) + i);
+        const Filter::Sample offset = filter.sample(rng.next_vec2());
+        const Vec2 raster = Vec2(x + 0.5f, y + 0.5f) + offset.offset;
+        result.paths.push_back(start_camera_path(setup.scene, raster, rng));
+        result.filter_weights.push_back(offset.weight);
+      }
     }
   }
   return result;
 }
 
-Rng GatherRule::rng(uint32_t pixel, const PathVertex& vertex) const {
-  const uint64_t path = static_cast<uint64_t>(vertex.length) << 32 | pixel;
-  return Rng(setup_.seed ^ kGatherStream, setup_.pass, path);
+Rng GatherRule::rng(const PixelRegion& tile, uint32_t i, const PathVertex& vertex) const {
+  const int per_pixel = setup_.settings.camera_samples;
+  const int pixel = static_cast<int>(i) / per_pixel;
+  const int width = tile.x1 - tile.x0;
+  const uint64_t path = path_number(setup_, tile.x0 + pixel % width, tile.y0 + pixel / width) +
+                        i % static_cast<uint32_t>(per_pixel);
+  return Rng(setup_.seed ^ kGatherStream, setup_.pass,
+             static_cast<uint64_t>(vertex.length) << 48 | path);
 }
 
 GatherPoints::GatherPoints(const PhotonMappingPass& setup, const GatheredLight& light)
@@ -61,22 +73,19 @@ std::vector<IrradianceRecord> GatherPoints::trace(const PixelRegion& tile, const
 
   const int tile_width = tile.x1 - tile.x0;
   const auto level = [&](const Point& point) {
-    const int i = static_cast<int>(point.path);
+    const int i = static_cast<int>(point.path) / setup_.settings.camera_samples;
     return refinement_level(i % tile_width, i / tile_width);
   };
   std::stable_sort(points_.begin(), points_.end(),
                    [&](const Point& a, const Point& b) { return level(a) < level(b); });
 
   IrradianceCache cache = make_cache(setup_);
-  const int width = setup_.scene.camera().width();
   for (const Point& point : points_) {
     const PathVertex& vertex = point.vertex;
     const int key = rule_.cache_key(vertex);
     if (cache.interpolate(vertex.point.position, normal_towards_viewer(vertex), key)) continue;
-    const int i = static_cast<int>(point.path);
-    const int pixel = (tile.y0 + i / tile_width) * width + tile.x0 + i % tile_width;
     IrradianceRecord record = gather_.irradiance(vertex, setup_.settings.gather_rays,
-                                                 rule_.rng(static_cast<uint32_t>(pixel), vertex));
+                                                 rule_.rng(tile, point.path, vertex));
     record.key = key;
     cache.insert(record);
   }

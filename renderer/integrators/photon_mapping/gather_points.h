@@ -8,8 +8,8 @@
 
 namespace guidelight {
 
-/// The camera paths of a tile, by rows. They draw the same random numbers whenever they are traced,
-/// so that a vertex can be met again.
+/// The camera paths of a tile, by rows, and those of one pixel together. They draw the same random
+/// numbers whenever they are traced, so that a vertex can be met again.
 struct CameraPaths {
   std::vector<Subpath> paths;
   std::vector<float> filter_weights;
@@ -42,8 +42,8 @@ class GatherRule {
     const bool is_limited = setup_.settings.max_length >= 0 || setup_.settings.min_length > 3;
     return is_limited ? vertex.length : 0;
   }
-  /// Random numbers of a vertex of a pixel's path.
-  Rng rng(uint32_t pixel, const PathVertex& vertex) const;
+  /// Random numbers of a vertex of the i-th path of a tile.
+  Rng rng(const PixelRegion& tile, uint32_t i, const PathVertex& vertex) const;
 
  private:
   const PhotonMappingPass& setup_;

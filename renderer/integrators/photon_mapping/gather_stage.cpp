@@ -22,15 +22,24 @@ void GatherStage::render(const PixelRegion& tile, Film& film) {
   walk_.run(camera.paths, *this);
   size_t i = 0;
   for (int y = tile.y0; y < tile.y1; ++y) {
-    for (int x = tile.x0; x < tile.x1; ++x) film.add_sample(x, y, samples_[i++]);
+    for (int x = tile.x0; x < tile.x1; ++x) film.add_sample(x, y, pixel_sample(i++));
   }
 }
 
-uint32_t GatherStage::pixel(uint32_t index) const {
-  const int i = static_cast<int>(index);
-  const int tile_width = tile_.x1 - tile_.x0;
-  const int y = tile_.y0 + i / tile_width;
-  return static_cast<uint32_t>(y * setup_.scene.camera().width() + tile_.x0 + i % tile_width);
+FilmSample GatherStage::pixel_sample(size_t i) const {
+  const auto count = static_cast<size_t>(setup_.settings.camera_samples);
+  FilmSample sum;
+  for (const FilmSample& sample : std::span(samples_).subspan(i * count, count)) {
+    const float share = sample.filter_weight / static_cast<float>(count);
+    sum.direct += sample.direct * share;
+    sum.indirect += sample.indirect * share;
+    sum.caustic += sample.caustic * share;
+    sum.merging += sample.merging * share;
+    sum.albedo += sample.albedo * share;
+    sum.normal += sample.normal * share;
+    if (sample.depth < kInfinity) sum.depth = sample.depth;
+  }
+  return sum;
 }
 
 void GatherStage::add(uint32_t index, int length, Color contribution) {
@@ -70,7 +79,7 @@ bool GatherStage::visit(uint32_t index, Subpath& path, const PathVertex& vertex,
   }
   if (length >= setup_.global.max_length) return false;
   if (vertex.is_connectible()) {
-    Rng rng = rule_.rng(pixel(index), vertex);
+    Rng rng = rule_.rng(tile_, index, vertex);
     if (rule_.gathers(vertex)) {
       add_caustic(index, vertex, scattering);
       add_indirect(index, vertex, scattering, rng);
@@ -123,8 +132,9 @@ void GatherStage::add_indirect(uint32_t index, const PathVertex& vertex,
   if (irradiance) {
     radiance = *value * *irradiance;
   } else {
-    // Rays in proportion to what the path still carries.
-    const float rays = static_cast<float>(setup_.settings.gather_rays) *
+    // The rays of a pixel are shared by its paths, in proportion to what they still carry.
+    const float rays = static_cast<float>(setup_.settings.gather_rays) /
+                       static_cast<float>(setup_.settings.camera_samples) *
                        std::min(1.0f, max_component(vertex.throughput));
     radiance = gather_.radiance(vertex, scattering, std::max(1, static_cast<int>(rays)), rng);
   }

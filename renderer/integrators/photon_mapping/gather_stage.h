@@ -44,7 +44,9 @@ class GatherStage {
   void add_caustic(uint32_t index, const PathVertex& vertex, const Scattering& scattering);
   void add_indirect(uint32_t index, const PathVertex& vertex, const Scattering& scattering,
                     const Rng& rng);
-  uint32_t pixel(uint32_t index) const;
+  /// What the i-th pixel of the tile has seen, by all its paths: they share the pass's photons, and
+  /// are one sample.
+  FilmSample pixel_sample(size_t i) const;
 
   const PhotonMappingPass& setup_;
   const PhotonMaps& maps_;
@@ -52,7 +54,7 @@ class GatherStage {
   FinalGather gather_;
   RandomWalk walk_;
   PixelRegion tile_;
-  std::vector<FilmSample> samples_;
+  std::vector<FilmSample> samples_;  // of each path
   std::vector<PendingLight> pending_;
   std::vector<Ray> shadow_rays_;
   std::vector<uint8_t> blocked_;
