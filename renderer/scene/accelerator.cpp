@@ -249,6 +249,19 @@ void load(std::span<const Ray> rays, Packet& packet, int (&valid)[kPacket]) {
   switch_off_invalid(packet, valid);
 }
 
+/// Whether all rays of a packet go almost the same way.
+template <typename Packet>
+bool is_coherent(const Packet& packet) {
+  float spread = 0;
+  for (size_t i = 0; i < kPacket; ++i) {
+    const float difference = std::abs(packet.dir_x[i] - packet.dir_x[0]) +
+                             std::abs(packet.dir_y[i] - packet.dir_y[0]) +
+                             std::abs(packet.dir_z[i] - packet.dir_z[0]);
+    spread = std::max(spread, difference);
+  }
+  return spread < 0.1f;
+}
+
 template <typename RtcRay>
 void load(const Ray& ray, RtcRay& out) {
   out = {};
@@ -307,6 +320,7 @@ void Accelerator::intersect(std::span<const Ray> rays, std::span<Hit> hits) cons
     rtcIntersect8(valid, impl_->top->scene, &packet);
 #else
     RTCIntersectContext context = make_context();
+    if (is_coherent(packet.ray)) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     rtcIntersect8(valid, impl_->top->scene, &context, &packet);
 #endif
     for (size_t i = 0; i < count; ++i) {
