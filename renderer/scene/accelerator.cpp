@@ -249,9 +249,11 @@ void load(std::span<const Ray> rays, Packet& packet, int (&valid)[kPacket]) {
   switch_off_invalid(packet, valid);
 }
 
-/// Whether all rays of a packet go almost the same way.
+/// Whether all rays of a packet go almost the same way, as camera rays do: they are faster
+/// together.
 template <typename Packet>
 bool is_coherent(const Packet& packet) {
+  constexpr float kAlmost = 0.1f;  // for unit directions
   float spread = 0;
   for (size_t i = 0; i < kPacket; ++i) {
     const float difference = std::abs(packet.dir_x[i] - packet.dir_x[0]) +
@@ -259,7 +261,7 @@ bool is_coherent(const Packet& packet) {
                              std::abs(packet.dir_z[i] - packet.dir_z[0]);
     spread = std::max(spread, difference);
   }
-  return spread < 0.1f;
+  return spread < kAlmost;
 }
 
 template <typename RtcRay>
