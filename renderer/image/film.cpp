@@ -123,7 +123,10 @@ void Film::add_splats(std::span<const Splat> splats, std::span<const Vec2> u) {
     const size_t count = std::min(kBatch, splats.size() - begin);
     for (size_t i = 0; i < count; ++i) {
       targets[i] = splat_target(splats[begin + i].raster, u[begin + i]);
-      __builtin_prefetch(&splats_[targets[i].pixel], 1);
+      Radiance& sums = splats_[targets[i].pixel];
+      auto& sum = splats[begin + i].direct ? sums.direct : sums.indirect;
+      __builtin_prefetch(&sum[0], 1);
+      __builtin_prefetch(&sum[2], 1);  // may be on the next cache line
       __builtin_prefetch(&statistics_[targets[i].pixel], 1);
     }
     for (size_t i = 0; i < count; ++i) add_splat_at(targets[i], splats[begin + i]);

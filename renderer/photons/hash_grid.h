@@ -43,11 +43,6 @@ class HashGrid {
   }
 
  private:
-  /// Calls visit(first, last) for the ranges of entries that a ball meets, unless it meets more
-  /// rows of cells than there are items.
-  template <class Visit>
-  void for_each_range(Vec3 center, float radius, Visit&& visit) const;
-
   HashedCells cells_;
   std::vector<Item> items_;
   std::vector<uint32_t> entries_;  // of the items, before they are sorted
@@ -73,27 +68,21 @@ void HashGrid<Item>::rebuild(std::span<const Item> items, float cell_side, Paral
 }
 
 template <class Item>
-template <class Visit>
-void HashGrid<Item>::for_each_range(Vec3 center, float radius, Visit&& visit) const {
-  const auto range = cells_.overlapped(center, radius);
-  if (!range || range->row_count() > items_.size()) return;
-  for (int z = range->first.z; z <= range->last.z; ++z) {
-    for (int y = range->first.y; y <= range->last.y; ++y) {
-      cells_.for_each_range(range->first.x, range->last.x, y, z, visit);
-    }
-  }
-}
-
-template <class Item>
 void HashGrid<Item>::prefetch(Vec3 center, bool items) const {
+  if (items_.empty()) return;
   const auto begin = sorter_.begin();
-  for_each_range(center, 0.5f * cells_.side(), [&](uint32_t first, uint32_t last) {
+  const auto ask = [&](uint32_t first, uint32_t last) {
     if (!items) return guidelight::prefetch(&begin[first]);
     constexpr uint32_t kItems = 8;  // enough to start on
     constexpr uint32_t kPerLine = std::max<size_t>(1, 64 / sizeof(Item));
     const uint32_t end = std::min(begin[last], begin[first] + kItems);
     for (uint32_t i = begin[first]; i < end; i += kPerLine) guidelight::prefetch(&items_[i]);
-  });
+  };
+  const HashedCells::Cell lower = cells_.cell(center - 0.5f * cells_.side());
+  const HashedCells::Cell upper = cells_.cell(center + 0.5f * cells_.side());
+  for (int z = lower.z; z <= upper.z; ++z) {
+    for (int y = lower.y; y <= upper.y; ++y) cells_.for_each_range(lower.x, upper.x, y, z, ask);
+  }
 }
 
 template <class Item>

@@ -1,6 +1,7 @@
 #include "renderer/photons/photon_tracer.h"
 
 #include "renderer/parallel/concatenate.h"
+#include "renderer/parallel/object_pool.h"
 #include "renderer/transport/light_path_batch.h"
 
 namespace guidelight {
@@ -31,18 +32,28 @@ struct PhotonCollector {
   void end_segment() {}
 };
 
-/// Traces paths [first, last).
-void trace_batch(const Scene& scene, const LightPathRange& range, size_t first, size_t last,
-                 std::vector<Photon>& photons) {
-  LightPathBatch batch(scene, 1, range.guided);
-  batch.reset(last - first);
-  for (size_t i = first; i < last; ++i) {
-    batch.add(Rng(range.seed ^ kPhotonStream, range.pass, i));
+/// Traces batches of a range of paths, one after the other.
+class BatchTracer {
+ public:
+  BatchTracer(const Scene& scene, const LightPathRange& range)
+      : range_(range), batch_(scene, 1, range.guided), walk_(scene, TransportMode::Importance) {}
+
+  /// Paths [first, last).
+  void trace(size_t first, size_t last, std::vector<Photon>& photons) {
+    batch_.reset(last - first);
+    for (size_t i = first; i < last; ++i) {
+      batch_.add(Rng(range_.seed ^ kPhotonStream, range_.pass, i));
+    }
+    photons.clear();
+    PhotonCollector collector{photons, range_.max_length};
+    walk_.run(batch_.paths(), collector);
   }
-  photons.clear();
-  PhotonCollector collector{photons, range.max_length};
-  RandomWalk(scene, TransportMode::Importance).run(batch.paths(), collector);
-}
+
+ private:
+  const LightPathRange& range_;
+  LightPathBatch batch_;
+  RandomWalk walk_;
+};
 
 }  // namespace
 
@@ -51,9 +62,12 @@ const std::vector<Photon>& PhotonTracer::trace(const Scene& scene, const LightPa
   const bool is_dark = scene.lights().empty() || paths.max_length < 1;
   const size_t count = is_dark ? 0 : (paths.count + kBatch - 1) / kBatch;
   batches_.resize(count);
+  ObjectPool<BatchTracer> tracers([&] { return std::make_unique<BatchTracer>(scene, paths); });
   parallel.for_each(count, [&](size_t batch) {
     const size_t first = batch * kBatch;
-    trace_batch(scene, paths, first, std::min(first + kBatch, paths.count), batches_[batch]);
+    tracers.with([&](BatchTracer& tracer) {
+      tracer.trace(first, std::min(first + kBatch, paths.count), batches_[batch]);
+    });
   });
   concatenate(batches_, photons_, parallel);
   return photons_;

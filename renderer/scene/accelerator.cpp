@@ -43,32 +43,56 @@ Ray lane(RTCRayN* rays, unsigned n, unsigned i) {
           RTCRayN_tfar(rays, n, i)};
 }
 
+/// The rays of a full packet: eight of one coordinate follow each other.
+RayLanes lanes_of(RTCRayN* rays) {
+  constexpr size_t n = RayLanes::kCount;
+  const auto eight = [](const float& first) {
+    RayLanes::Lanes lanes;
+    std::copy_n(&first, n, lanes.begin());
+    return lanes;
+  };
+  return {{eight(RTCRayN_org_x(rays, n, 0)), eight(RTCRayN_org_y(rays, n, 0)),
+           eight(RTCRayN_org_z(rays, n, 0))},
+          {eight(RTCRayN_dir_x(rays, n, 0)), eight(RTCRayN_dir_y(rays, n, 0)),
+           eight(RTCRayN_dir_z(rays, n, 0))},
+          eight(RTCRayN_tnear(rays, n, 0)),
+          eight(RTCRayN_tfar(rays, n, 0))};
+}
+
+/// Calls met(i, t) for every ray of a packet that meets the shape.
+template <typename Met>
+void for_each_met(void* user_shape, RTCRayN* rays, const int* valid, unsigned n, Met&& met) {
+  const auto& shape = *static_cast<const AnalyticShape*>(user_shape);
+  if (n == RayLanes::kCount) {
+    const RayLanes::Lanes t = shape.intersect(lanes_of(rays));
+    for (unsigned i = 0; i < n; ++i) {
+      if (valid[i] && t[i] < kInfinity) met(i, t[i]);
+    }
+    return;
+  }
+  for (unsigned i = 0; i < n; ++i) {
+    float t;
+    if (valid[i] && shape.intersect(lane(rays, n, i), RTCRayN_tnear(rays, n, i), t)) met(i, t);
+  }
+}
+
 void intersect_analytic(const RTCIntersectFunctionNArguments* arguments) {
-  const auto* shape = static_cast<const AnalyticShape*>(arguments->geometryUserPtr);
   const unsigned n = arguments->N;
   RTCRayN* rays = RTCRayHitN_RayN(arguments->rayhit, n);
   RTCHitN* hits = RTCRayHitN_HitN(arguments->rayhit, n);
-  for (unsigned i = 0; i < n; ++i) {
-    if (!arguments->valid[i]) continue;
-    float t;
-    if (!shape->intersect(lane(rays, n, i), RTCRayN_tnear(rays, n, i), t)) continue;
+  for_each_met(arguments->geometryUserPtr, rays, arguments->valid, n, [&](unsigned i, float t) {
     RTCRayN_tfar(rays, n, i) = t;
     RTCHitN_geomID(hits, n, i) = arguments->geomID;
     RTCHitN_primID(hits, n, i) = arguments->primID;
     RTCHitN_instID(hits, n, i, 0) = arguments->context->instID[0];
-  }
+  });
 }
 
 void occlude_analytic(const RTCOccludedFunctionNArguments* arguments) {
-  const auto* shape = static_cast<const AnalyticShape*>(arguments->geometryUserPtr);
   const unsigned n = arguments->N;
-  for (unsigned i = 0; i < n; ++i) {
-    if (!arguments->valid[i]) continue;
-    float t;
-    if (shape->intersect(lane(arguments->ray, n, i), RTCRayN_tnear(arguments->ray, n, i), t)) {
-      RTCRayN_tfar(arguments->ray, n, i) = -kInfinity;
-    }
-  }
+  RTCRayN* rays = arguments->ray;
+  for_each_met(arguments->geometryUserPtr, rays, arguments->valid, n,
+               [&](unsigned i, float) { RTCRayN_tfar(rays, n, i) = -kInfinity; });
 }
 
 struct SceneHolder {
@@ -225,6 +249,21 @@ void load(std::span<const Ray> rays, Packet& packet, int (&valid)[kPacket]) {
   switch_off_invalid(packet, valid);
 }
 
+/// Whether all rays of a packet go almost the same way, as camera rays do: they are faster
+/// together.
+template <typename Packet>
+bool is_coherent(const Packet& packet) {
+  constexpr float kAlmost = 0.1f;  // for unit directions
+  float spread = 0;
+  for (size_t i = 0; i < kPacket; ++i) {
+    const float difference = std::abs(packet.dir_x[i] - packet.dir_x[0]) +
+                             std::abs(packet.dir_y[i] - packet.dir_y[0]) +
+                             std::abs(packet.dir_z[i] - packet.dir_z[0]);
+    spread = std::max(spread, difference);
+  }
+  return spread < kAlmost;
+}
+
 template <typename RtcRay>
 void load(const Ray& ray, RtcRay& out) {
   out = {};
@@ -283,6 +322,7 @@ void Accelerator::intersect(std::span<const Ray> rays, std::span<Hit> hits) cons
     rtcIntersect8(valid, impl_->top->scene, &packet);
 #else
     RTCIntersectContext context = make_context();
+    if (is_coherent(packet.ray)) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     rtcIntersect8(valid, impl_->top->scene, &context, &packet);
 #endif
     for (size_t i = 0; i < count; ++i) {

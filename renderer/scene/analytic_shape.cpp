@@ -11,8 +11,42 @@ namespace guidelight {
 
 namespace {
 
+/// Intersects rays with the shape whose equation is `Equation`, a function
+///   static float intersect_local(Vec3 origin, Vec3 direction, float t_min, float t_max)
+/// that is infinite without intersection and does without branches, so that the lanes of a packet
+/// are computed together.
+template <class Equation>
+class ShapeOf : public AnalyticShape {
+ public:
+  using AnalyticShape::AnalyticShape;
+
+  bool intersect(const Ray& ray, float t_min, float& t) const override {
+    const float found = Equation::intersect_local(
+        to_local(ray.origin), linear_.inverse * ray.direction, t_min, ray.t_max);
+    if (found == kInfinity) return false;
+    t = found;
+    return true;
+  }
+
+  /// Flattened: the compiler joins the lanes only if it sees the whole of a loop.
+  [[gnu::flatten]] RayLanes::Lanes intersect(const RayLanes& rays) const override {
+    const auto at = [](const std::array<RayLanes::Lanes, 3>& lanes, size_t i) {
+      return Vec3(lanes[0][i], lanes[1][i], lanes[2][i]);
+    };
+    const Mat3 inverse = linear_.inverse;
+    const Vec3 origin = origin_;
+    RayLanes::Lanes t;
+    for (size_t i = 0; i < RayLanes::kCount; ++i) {
+      t[i] =
+          Equation::intersect_local(inverse * (at(rays.origin, i) - origin),
+                                    inverse * at(rays.direction, i), rays.t_min[i], rays.t_max[i]);
+    }
+    return t;
+  }
+};
+
 struct Roots {
-  float near;
+  float near;  // not a number if there are none
   float far;
 };
 
@@ -20,18 +54,16 @@ struct Roots {
 /// the closest approach and the smaller root from the product of the roots, which avoids the two
 /// cancellations of the textbook formula (Haines et al., Ray Tracing Gems, chapter 7, 2019).
 template <typename Vec>
-bool intersect_unit_quadric(Vec origin, Vec direction, Roots& roots) {
+Roots intersect_unit_quadric(Vec origin, Vec direction) {
   const float a = glm::dot(direction, direction);
   const float b = -glm::dot(origin, direction);
   const Vec closest = origin + (b / a) * direction;
   const float discriminant = 1 - glm::dot(closest, closest);
-  if (!(discriminant >= 0)) return false;
   const float q = b + std::copysign(std::sqrt(a * discriminant), b);
   const float c = glm::dot(origin, origin) - 1;
   const float t0 = c / q;
   const float t1 = q / a;
-  roots = {std::min(t0, t1), std::max(t0, t1)};
-  return true;
+  return {std::min(t0, t1), std::max(t0, t1)};
 }
 
 float angle_share(float x, float y) {
@@ -39,10 +71,10 @@ float angle_share(float x, float y) {
   return share < 0 ? share + 1 : share;
 }
 
-class Sphere final : public AnalyticShape {
+class Sphere final : public ShapeOf<Sphere> {
  public:
   Sphere(const ShapeDescription& description, const Mat4& to_world)
-      : AnalyticShape(description, to_world) {
+      : ShapeOf(description, to_world) {
     radius_ = std::cbrt(std::abs(linear_.determinant));
     const Mat3 gram = glm::transpose(linear_.matrix) * linear_.matrix;
     const Mat3 deviation = gram - Mat3(sqr(radius_));
@@ -50,6 +82,12 @@ class Sphere final : public AnalyticShape {
     for (int i = 0; i < 3; ++i) largest = std::max(largest, max_component(glm::abs(deviation[i])));
     is_round_ = largest < 1e-5f * sqr(radius_);
     set_area(4 * kPi, is_round_ ? 4 * kPi * sqr(radius_) : ellipsoid_area());
+  }
+
+  static float intersect_local(Vec3 origin, Vec3 direction, float t_min, float t_max) {
+    const Roots roots = intersect_unit_quadric(origin, direction);
+    const float t = roots.near > t_min ? roots.near : roots.far;
+    return (t > t_min) & (t < t_max) ? t : kInfinity;
   }
 
   float sample_seen_from(Vec3 reference, Vec2 u, SurfacePoint& point) const override {
@@ -117,15 +155,6 @@ class Sphere final : public AnalyticShape {
     return static_cast<float>(4 * std::numbers::pi * sum / (kRows * kColumns));
   }
 
-  bool intersect_local(Vec3 origin, Vec3 direction, float t_min, float t_max,
-                       float& t) const override {
-    Roots roots;
-    if (!intersect_unit_quadric(origin, direction, roots)) return false;
-    const float nearest = roots.near > t_min ? roots.near : roots.far;
-    if (!(nearest > t_min && nearest < t_max)) return false;
-    t = nearest;
-    return true;
-  }
   Vec3 project_local(Vec3 p) const override { return glm::normalize(p); }
   Vec3 normal_local(Vec3 p) const override { return p; }
   Vec3 normal_derivative_local(Vec3 displacement) const override { return displacement; }
@@ -152,23 +181,19 @@ Bounds circle_bounds(const Mat3& matrix) {
   return {-extent, extent};
 }
 
-class Disk final : public AnalyticShape {
+class Disk final : public ShapeOf<Disk> {
  public:
-  Disk(const ShapeDescription& description, const Mat4& to_world)
-      : AnalyticShape(description, to_world) {
+  Disk(const ShapeDescription& description, const Mat4& to_world) : ShapeOf(description, to_world) {
     set_area(kPi, kPi * area_factor({0, 0, 1}));
   }
 
- private:
-  bool intersect_local(Vec3 origin, Vec3 direction, float t_min, float t_max,
-                       float& t) const override {
-    const float hit = -origin.z / direction.z;
-    if (!(hit > t_min && hit < t_max)) return false;
-    const Vec2 p = Vec2(origin) + hit * Vec2(direction);
-    if (!(glm::dot(p, p) <= 1)) return false;
-    t = hit;
-    return true;
+  static float intersect_local(Vec3 origin, Vec3 direction, float t_min, float t_max) {
+    const float t = -origin.z / direction.z;
+    const Vec2 p = Vec2(origin) + t * Vec2(direction);
+    return (t > t_min) & (t < t_max) & (glm::dot(p, p) <= 1) ? t : kInfinity;
   }
+
+ private:
   Vec3 project_local(Vec3 p) const override { return {p.x, p.y, 0}; }
   Vec3 normal_local(Vec3) const override { return {0, 0, 1}; }
   Vec3 normal_derivative_local(Vec3) const override { return Vec3(0); }
@@ -181,10 +206,10 @@ class Disk final : public AnalyticShape {
   Bounds bounds_around_origin() const override { return circle_bounds(linear_.matrix); }
 };
 
-class Cylinder final : public AnalyticShape {
+class Cylinder final : public ShapeOf<Cylinder> {
  public:
   Cylinder(const ShapeDescription& description, const Mat4& to_world)
-      : AnalyticShape(description, to_world) {
+      : ShapeOf(description, to_world) {
     constexpr int kSteps = 1024;  // of the rectangle rule, exact for periodic functions this smooth
     double sum = 0;
     for (int i = 0; i < kSteps; ++i) {
@@ -194,20 +219,16 @@ class Cylinder final : public AnalyticShape {
     set_area(2 * kPi, static_cast<float>(2 * std::numbers::pi * sum / kSteps));
   }
 
- private:
-  bool intersect_local(Vec3 origin, Vec3 direction, float t_min, float t_max,
-                       float& t) const override {
-    Roots roots;
-    if (!intersect_unit_quadric(Vec2(origin), Vec2(direction), roots)) return false;
-    for (const float root : {roots.near, roots.far}) {
-      const float z = origin.z + root * direction.z;
-      if (root > t_min && root < t_max && z >= 0 && z <= 1) {
-        t = root;
-        return true;
-      }
-    }
-    return false;
+  static float intersect_local(Vec3 origin, Vec3 direction, float t_min, float t_max) {
+    const Roots roots = intersect_unit_quadric(Vec2(origin), Vec2(direction));
+    const auto if_on_side = [&](float t) {
+      const float z = origin.z + t * direction.z;
+      return (t > t_min) & (t < t_max) & (z >= 0) & (z <= 1) ? t : kInfinity;
+    };
+    return std::min(if_on_side(roots.near), if_on_side(roots.far));
   }
+
+ private:
   Vec3 project_local(Vec3 p) const override {
     return Vec3(glm::normalize(Vec2(p)), std::clamp(p.z, 0.0f, 1.0f));
   }
@@ -236,11 +257,6 @@ AnalyticShape::AnalyticShape(const ShapeDescription& description, const Mat4& to
     : linear_(to_world, description),
       origin_(to_world[3]),
       normal_sign_(description.flip_normals ? -1.0f : 1.0f) {}
-
-bool AnalyticShape::intersect(const Ray& ray, float t_min, float& t) const {
-  return intersect_local(to_local(ray.origin), linear_.inverse * ray.direction, t_min, ray.t_max,
-                         t);
-}
 
 void AnalyticShape::fill(const Ray& ray, const Hit& hit, SurfacePoint& point) const {
   const Vec3 local = to_local(ray.origin) + hit.t * (linear_.inverse * ray.direction);

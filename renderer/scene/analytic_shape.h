@@ -1,11 +1,23 @@
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include "renderer/scene/shape.h"
 #include "renderer/scene/shape_transform.h"
 
 namespace guidelight {
+
+/// A packet of rays, coordinate by coordinate.
+struct RayLanes {
+  static constexpr size_t kCount = 8;
+  using Lanes = std::array<float, kCount>;
+
+  std::array<Lanes, 3> origin;
+  std::array<Lanes, 3> direction;
+  Lanes t_min;
+  Lanes t_max;
+};
 
 /// A shape given by an equation in its own space and an affine transform, without facets. Called
 /// from the accelerator's user-geometry callbacks.
@@ -14,7 +26,9 @@ class AnalyticShape : public Shape {
   AnalyticShape(const ShapeDescription& description, const Mat4& to_world);
 
   /// Nearest intersection with t in (t_min, ray.t_max); false leaves t as it is.
-  bool intersect(const Ray& ray, float t_min, float& t) const;
+  virtual bool intersect(const Ray& ray, float t_min, float& t) const = 0;
+  /// The same for all rays of a packet at once; t is infinite where there is none.
+  virtual RayLanes::Lanes intersect(const RayLanes& rays) const = 0;
 
   void fill(const Ray& ray, const Hit& hit, SurfacePoint& point) const override;
   float sample_area(Vec2 u, SurfacePoint& point) const override;
@@ -31,8 +45,6 @@ class AnalyticShape : public Shape {
     Vec3 dpdv;
   };
 
-  virtual bool intersect_local(Vec3 origin, Vec3 direction, float t_min, float t_max,
-                               float& t) const = 0;
   /// A point of the surface close to p.
   virtual Vec3 project_local(Vec3 p) const = 0;
   /// Unit normal at a point of the surface.

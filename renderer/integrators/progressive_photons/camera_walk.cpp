@@ -34,7 +34,7 @@ void CameraWalk::trace(const PixelRegion& tile, const Filter& filter, const Meas
       }
     }
   }
-  RandomWalk(scene_, TransportMode::Radiance).run(subpaths_, *this);
+  walk_.run(subpaths_, *this);
 }
 
 FilmSample CameraWalk::pixel_sample(size_t i) const {

@@ -18,7 +18,8 @@ struct CameraPath {
 
 /// Traces the camera paths of a tile to where light is measured: the first vertex that scatters by
 /// a finite lobe. If it has a delta lobe too, as glossy paint has, the path goes on through that
-/// lobe, and there may be a second such vertex. All other light is found by photons.
+/// lobe, and there may be a second such vertex. All other light is found by photons. One object
+/// serves many tiles and keeps its memory.
 class CameraWalk {
  public:
   struct Paths {
@@ -33,7 +34,8 @@ class CameraWalk {
   using Measure =
       std::function<void(uint32_t index, const PathVertex& vertex, const Scattering& scattering)>;
 
-  CameraWalk(const Scene& scene, const Paths& paths) : scene_(scene), settings_(paths) {}
+  CameraWalk(const Scene& scene, const Paths& paths)
+      : scene_(scene), settings_(paths), walk_(scene, TransportMode::Radiance) {}
 
   /// `per_pixel` paths for each pixel, row by row.
   void trace(const PixelRegion& tile, const Filter& filter, const Measure& measure);
@@ -52,6 +54,7 @@ class CameraWalk {
 
   const Scene& scene_;
   Paths settings_;
+  RandomWalk walk_;
   const Measure* measure_ = nullptr;
   std::vector<Subpath> subpaths_;
   std::vector<CameraPath> paths_;

@@ -10,6 +10,7 @@
 #include "renderer/integrators/progressive_photons/gather.h"
 #include "renderer/integrators/progressive_photons/measurement_points.h"
 #include "renderer/integrators/progressive_photons/settings.h"
+#include "renderer/parallel/object_pool.h"
 #include "renderer/photons/photon_cloud.h"
 #include "renderer/photons/photon_tracer.h"
 
@@ -36,8 +37,10 @@ class ProgressivePhotons : public Integrator {
     light_paths_ = std::max(1.0, std::round(settings_.light_paths * pixels));
     trace_photons(pass, film, context);
     if (settings_.kind == ProgressivePhotonKind::Sppm) {
+      const CameraWalk::Paths paths = camera_paths({context.seed, pass});
+      ObjectPool<CameraWalk> walks([&] { return std::make_unique<CameraWalk>(*scene_, paths); });
       for_each_tile(film, context, [&](const Tile& tile) {
-        measure_at_new_points(tile, {context.seed, pass}, film);
+        walks.with([&](CameraWalk& walk) { measure_at_new_points(tile, walk, film); });
       });
     } else {
       points_.place(*scene_, camera_paths({context.seed, 0}), initial_radius_, film, context);
@@ -85,8 +88,7 @@ class ProgressivePhotons : public Integrator {
     return count > 0 ? sum / static_cast<float>(count) : initial_radius_.typical();
   }
 
-  void measure_at_new_points(const Tile& tile, RandomStream random, Film& film) const {
-    CameraWalk walk(*scene_, camera_paths(random));
+  void measure_at_new_points(const Tile& tile, CameraWalk& walk, Film& film) const {
     std::vector<FoundLight> found(kTilePixels);
     const int columns = tile.pixels.x1 - tile.pixels.x0;
     walk.trace(

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/sampling/random.h"
+#include "renderer/sampling/warp.h"
 #include "renderer/scene/analytic_shape.h"
 #include "renderer/scene/triangle_mesh.h"
 
@@ -56,6 +58,46 @@ TEST(Accelerator, RaysThatAreNoneMeetNothing) {
     for (size_t i = 0; i < rays.size(); ++i) {
       EXPECT_EQ(hits[i].valid(), i % 2 == 1) << i;
       EXPECT_EQ(blocked[i], i % 2) << i;
+    }
+  }
+}
+
+/// Rays towards the origin's neighbourhood from all around, or all from one place; some end early.
+std::vector<Ray> rays_to_origin(bool from_one_place) {
+  Rng rng(1, 2, from_one_place ? 3 : 4);
+  std::vector<Ray> rays;
+  for (int i = 0; i < 4096; ++i) {
+    const Vec3 start = from_one_place ? Vec3(8, 16, -40) : 3.0f * square_to_sphere(rng.next_vec2());
+    const Vec3 target = 1.5f * square_to_sphere(rng.next_vec2()) * rng.next_float();
+    const float distance = glm::length(target - start);
+    const float t_max = rng.next_float() < 0.5f ? kInfinity : 2 * distance * rng.next_float();
+    rays.push_back({start, (target - start) / distance, t_max});
+  }
+  return rays;
+}
+
+/// Packets take other ways through the shapes' equations and through the hierarchy than single rays
+/// do, and those whose rays go one way take yet another. Only rays that graze an edge may disagree.
+TEST(Accelerator, PacketsMeetWhatSingleRaysMeet) {
+  for (const OneShape& scene : {OneShape(SphereShape{}), OneShape(DiskShape{}),
+                                OneShape(CylinderShape{}), OneShape(triangle())}) {
+    for (const bool from_one_place : {false, true}) {
+      const std::vector<Ray> rays = rays_to_origin(from_one_place);
+      std::vector<Hit> hits(rays.size());
+      std::vector<uint8_t> blocked(rays.size());
+      (*scene).intersect(rays, hits);
+      (*scene).occluded(rays, blocked);
+      int met = 0, differ = 0;
+      for (size_t i = 0; i < rays.size(); ++i) {
+        const Hit single = (*scene).intersect(rays[i]);
+        met += single.valid();
+        differ += hits[i].valid() != single.valid() || (blocked[i] != 0) != single.valid();
+        if (hits[i].valid() && single.valid()) {
+          EXPECT_NEAR(hits[i].t, single.t, 1e-4f) << i;
+        }
+      }
+      EXPECT_GT(met, 400);
+      EXPECT_LE(differ, 2);
     }
   }
 }
