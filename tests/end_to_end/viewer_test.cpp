@@ -309,7 +309,7 @@ TEST_F(ViewerTest, F12SavesExactlyWhatIsShown) {
 
 TEST_F(ViewerTest, ExportsAllLayersAsExr) {
   start({scene("default"), "--size", "160x120"});
-  ASSERT_TRUE(wait_for_picture());
+  ASSERT_TRUE(wait_for_full_picture());
   driver_->press_key("e", {"Control_L"});
   const auto path = folder() / "default.exr";
   ASSERT_TRUE(wait_until([&] { return std::filesystem::exists(path); }));
