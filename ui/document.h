@@ -75,6 +75,7 @@ struct Harvest {
   std::vector<HarvestedPath> paths;   // the strongest first
   std::optional<size_t> selected;
   bool searching = false;
+  bool is_news = false;  // until the list has been brought into sight
 };
 
 /// What photons are looked at by: their power, their bounce, whether they make caustics, or the

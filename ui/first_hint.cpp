@@ -27,7 +27,7 @@ void FirstHint::dismiss() {
   }
 }
 
-void FirstHint::draw(ImDrawList& list, Vec2 corner, float room) const {
+void FirstHint::draw(Vec2 corner, float room) {
   if (!shown_) return;
   const std::array lines = {"1   Press " + shortcut_text(Action::NewGuide) + " and click a light.",
                             std::string("2   Click the surfaces that its light should reach."),
@@ -43,6 +43,7 @@ void FirstHint::draw(ImDrawList& list, Vec2 corner, float room) const {
   const Vec2 low = corner + scaled(12);
   if (width + 2 * pad.x + scaled(24) > room) return;
   const Vec2 size(width, height * static_cast<float>(lines.size() + 1));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(to_imgui(low), to_imgui(low + size + 2.0f * pad), IM_COL32(24, 24, 24, 225),
                      scaled(6));
   list.AddRectFilled(to_imgui(low), to_imgui(low + Vec2(scaled(3), size.y + 2 * pad.y)),
@@ -53,6 +54,19 @@ void FirstHint::draw(ImDrawList& list, Vec2 corner, float room) const {
     at.y += height;
     list.AddText(to_imgui(at), palette::kDim, line.c_str());
   }
+  if (draw_cross({low.x + size.x + 2 * pad.x, low.y})) dismiss();
+}
+
+/// Returns whether it was clicked.
+bool FirstHint::draw_cross(Vec2 upper_right) const {
+  const float side = ImGui::GetFrameHeight();
+  const Vec2 corner = upper_right + Vec2(-side - scaled(3), scaled(3));
+  ImGui::SetCursorScreenPos(to_imgui(corner));
+  const bool clicked = ImGui::InvisibleButton("dismiss the hint", {side, side});
+  const ImU32 color = ImGui::IsItemHovered() ? palette::kText : palette::kDim;
+  centered_text(*ImGui::GetWindowDrawList(), corner + 0.5f * side, color, "×");
+  tooltip("Do not show this again");
+  return clicked;
 }
 
 }  // namespace guidelight

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -11,6 +12,13 @@ namespace {
 /// Three significant digits of a number below 1000.
 std::string three_digits(double value) {
   return fmt::format("{:.{}f}", value, value < 9.995 ? 2 : value < 99.95 ? 1 : 0);
+}
+
+std::string superscript(int number) {
+  static constexpr std::array kDigits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text;
+  for (const char c : std::to_string(number)) text += c == '-' ? "⁻" : kDigits[c - '0'];
+  return text;
 }
 
 }  // namespace
@@ -29,6 +37,27 @@ std::string format_value(float value) {
   return fmt::format("{:.4g}", value);
 }
 
+std::string format_triple(Vec3 values) {
+  if (!is_finite(values)) {
+    return fmt::format("{}  {}  {}", format_value(values.x), format_value(values.y),
+                       format_value(values.z));
+  }
+  constexpr int kSmallest = -3;  // powers of ten that are written out
+  constexpr int kLargest = 3;
+  const float largest = max_component(glm::abs(values));
+  const int power = largest > 0 ? static_cast<int>(std::floor(std::log10(largest))) : 0;
+  const bool written_out = power >= kSmallest && power <= kLargest;
+  if (!written_out) values /= std::pow(10.0f, static_cast<float>(power));
+  const int decimals = written_out ? std::clamp(2 - power, 0, 4) : 2;
+  const auto number = [&](float value) {
+    const bool rounds_to_zero = std::abs(value) < 0.5f * std::pow(10.0f, -decimals);
+    return fmt::format("{:.{}f}", rounds_to_zero ? 0 : value, decimals);  // "0.00", not "-0.00"
+  };
+  const std::string text =
+      fmt::format("{}  {}  {}", number(values.x), number(values.y), number(values.z));
+  return written_out ? text : text + " ×10" + superscript(power);
+}
+
 std::string format_duration(double seconds) {
   if (seconds < 59.95) return fmt::format("{:.1f} s", seconds);
   const auto whole = static_cast<int64_t>(seconds + 0.5);
@@ -40,6 +69,7 @@ std::string format_duration(double seconds) {
 
 std::string format_percent(double share) {
   const double percent = 100 * share;
+  if (std::abs(percent) >= 1e5) return fmt::format("{:.2g} %", percent);
   return fmt::format("{:.{}f} %", percent, percent < 1 ? 2 : percent < 10 ? 1 : 0);
 }
 

@@ -21,7 +21,7 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>({
     {Action::ResumeCheckpoint, GLFW_KEY_O, kControl | kShift, "File", "Resume checkpoint…"},
     {Action::Screenshot, GLFW_KEY_F12, 0, "File", "Save picture as PNG"},
     {Action::WindowCapture, GLFW_KEY_F12, kShift, "File", "Save window as PNG"},
-    {Action::SaveFigure, GLFW_KEY_F12, kControl, "File", "Save a figure with the guides"},
+    {Action::SaveFigure, GLFW_KEY_F12, kControl, "File", "Save figure with guides"},
     {Action::ExportHalf, GLFW_KEY_E, kControl, "File", "Export EXR, half"},
     {Action::ExportFloat, GLFW_KEY_E, kControl | kShift, "File", "Export EXR, float"},
     {Action::Quit, GLFW_KEY_Q, kControl, "File", "Quit"},
@@ -44,7 +44,7 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>({
     {Action::CycleViews, GLFW_KEY_TAB, 0, "View", "Render, scout or both views"},
     {Action::ShowPhotons, GLFW_KEY_P, 0, "View", "Show or hide the photons"},
     {Action::ViewFromRender, GLFW_KEY_V, 0, "View", "Scout from the render camera"},
-    {Action::ShowTechniques, GLFW_KEY_T, 0, "View", "Show what each technique brings"},
+    {Action::ShowTechniques, GLFW_KEY_T, 0, "View", "Show the techniques"},
     {Action::RecordTechniques, GLFW_KEY_T, kShift, "View", "Record the techniques apart"},
 
     {Action::FrameSelection, GLFW_KEY_F, 0, "Camera", "Frame selection or scene"},
@@ -76,7 +76,7 @@ constexpr auto kMouseBindings = std::to_array<MouseBinding>({
     {Gesture::Pan, MouseInput::Middle, kShift, "Camera", "Pan"},
     {Gesture::Dolly, MouseInput::Wheel, 0, "Camera", "Dolly"},
     {Gesture::Fly, MouseInput::Right, 0, "Camera", "Look around and fly"},
-    {Gesture::UseTool, MouseInput::Left, 0, "Image", "Pick a pixel, or use the tool"},
+    {Gesture::UseTool, MouseInput::Left, 0, "Image", "Pick a pixel, use the tool"},
     {Gesture::ZoomImage, MouseInput::Wheel, kControl, "Image", "Zoom the picture"},
     {Gesture::PanImage, MouseInput::Middle, kControl, "Image", "Move the picture"},
 });
@@ -91,7 +91,7 @@ const std::array<FlyKey, 6> kFlyKeys = {{
 }};
 
 constexpr auto kToolKeys = std::to_array<ToolKey>({
-    {ToolCommand::Finish, GLFW_KEY_ENTER, "end the path (or double-click)"},
+    {ToolCommand::Finish, GLFW_KEY_ENTER, "end it (or double-click)"},
     {ToolCommand::Finish, GLFW_KEY_KP_ENTER, nullptr},
     {ToolCommand::RemoveLast, GLFW_KEY_BACKSPACE, "take back the last vertex"},
     {ToolCommand::Cancel, GLFW_KEY_ESCAPE, "cancel"},

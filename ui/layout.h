@@ -14,6 +14,9 @@ struct Area {
 /// view, with borders that can be dragged.
 class Layout {
  public:
+  /// Of each column of panels as the window opens, at scale 1.
+  static constexpr float kColumnWidth = 308;
+
   /// Computes the areas for the window as it is now, lets the borders be dragged and draws them.
   void update(bool panels_shown, float menu_height);
 
@@ -25,8 +28,8 @@ class Layout {
  private:
   void drag_border(const char* name, float x, float& width, float direction);
 
-  float left_width_ = 308;  // at scale 1
-  float right_width_ = 308;
+  float left_width_ = kColumnWidth;  // at scale 1
+  float right_width_ = kColumnWidth;
   Area left_, view_, right_, status_;
 };
 

@@ -233,8 +233,7 @@ void Viewer::draw_views() {
     begin_area("view", views_.render(), Padding::None, palette::kBackdrop);
     view_.draw(document_, toolbox_);
     if (document_.has_scene() && document_.guides()->empty() && !document_.technique_view().shown) {
-      first_hint_.draw(*ImGui::GetWindowDrawList(), from_imgui(views_.render().corner),
-                       views_.render().size.x);
+      first_hint_.draw(from_imgui(views_.render().corner), views_.render().size.x);
     }
     ImGui::End();
   }
@@ -252,9 +251,13 @@ void Viewer::draw_views() {
 void Viewer::draw_panels() {
   const auto act = [this](Action action) { perform(action); };
   begin_area("left", layout_.left(), Padding::Panel, palette::kPanel);
-  draw_scene_panel(document_);
-  draw_integrator_panel(document_);
-  draw_render_panel(document_, toolbox_.holds<RegionTool>(), checkpoints_.autosave_minutes(), act);
+  draw_render_commands(document_, toolbox_.holds<RegionTool>(), act);
+  const auto& parameters = document_.settings().parameters;
+  const float column =
+      settings_column(parameters ? parameters->clone()->parameters() : std::vector<Parameter>());
+  draw_scene_panel(document_, column);
+  draw_integrator_panel(document_, column);
+  draw_render_panel(document_, checkpoints_.autosave_minutes(), column);
   ImGui::End();
 
   begin_area("right", layout_.right(), Padding::Panel, palette::kPanel);

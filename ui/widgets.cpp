@@ -1,5 +1,6 @@
 #include "ui/widgets.h"
 
+#include <fmt/format.h>
 #include <imgui_internal.h>
 
 #include <algorithm>
@@ -38,12 +39,17 @@ void row_label(const char* label, const std::string& help, float column = 0) {
   ImGui::SameLine(left + column);
 }
 
-/// The unit as part of a printf format.
-std::string with_unit(const char* number_format, const std::string& unit) {
-  std::string format = number_format;
-  if (!unit.empty()) format += " ";
-  for (const char c : unit) format += c == '%' ? std::string("%%") : std::string(1, c);
-  return format;
+std::string with_unit(const std::string& text, const std::string& unit) {
+  return unit.empty() ? text : text + " " + unit;
+}
+
+/// The unit as part of a printf format; left out if there is no room for it.
+std::string field_format(const char* number_format, const std::string& whole,
+                         const std::string& unit) {
+  if (text_width(whole) > room_in_field(ImGui::CalcItemWidth())) return number_format;
+  std::string escaped;
+  for (const char c : unit) escaped += c == '%' ? std::string("%%") : std::string(1, c);
+  return with_unit(number_format, escaped);
 }
 
 /// "1 segment", "2 segments".
@@ -52,7 +58,11 @@ std::string unit_of(int count, const std::string& unit) {
   return one_of_many ? unit.substr(0, unit.size() - 1) : unit;
 }
 
-constexpr const char* kHowToEnter = "Drag, or double-click to type.";
+/// Fields that are disabled have their reason instead.
+void explain_entering() {
+  const bool disabled = ImGui::GetCurrentContext()->CurrentItemFlags & ImGuiItemFlags_Disabled;
+  if (!disabled) tooltip("Drag, or double-click to type.");
+}
 
 }  // namespace
 
@@ -79,8 +89,8 @@ bool section(const char* title) {
   return open;
 }
 
-float label_column(const std::vector<std::string>& labels) {
-  float widest = usual_column();
+float label_column(const std::vector<std::string>& labels, float least_share) {
+  float widest = least_share * ImGui::GetContentRegionAvail().x;
   for (const std::string& label : labels) widest = std::max(widest, needed_width(label));
   return std::round(std::min(widest, kLargestLabelShare * ImGui::GetContentRegionAvail().x));
 }
@@ -91,12 +101,22 @@ void row(const char* label, const std::string& help, float column) {
   ImGui::SetNextItemWidth(-FLT_MIN);
 }
 
+std::string number_text(int value, const std::string& unit) {
+  return with_unit(std::to_string(value), unit_of(value, unit));
+}
+
+std::string number_text(float value, const std::string& unit) {
+  return with_unit(fmt::format("{:.4g}", value), unit);
+}
+
+float room_in_field(float width) { return width - 2 * ImGui::GetStyle().FramePadding.x; }
+
 bool number(const char* id, int& value, int low, int high, const std::string& unit) {
   const float speed = std::max(0.1f, 0.02f * static_cast<float>(std::abs(value)));
-  const std::string format = with_unit("%d", unit_of(value, unit));
+  const std::string format = field_format("%d", number_text(value, unit), unit_of(value, unit));
   const bool changed =
       ImGui::DragInt(id, &value, speed, low, high, format.c_str(), ImGuiSliderFlags_AlwaysClamp);
-  tooltip(kHowToEnter);
+  explain_entering();
   return changed;
 }
 
@@ -105,14 +125,14 @@ bool number(const char* id, float& value, float low, float high, const std::stri
   const float speed = std::max(1e-6f, 0.01f * std::abs(value));
   const auto flags =
       ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
-  const bool changed =
-      ImGui::DragFloat(id, &value, speed, low, high, with_unit("%.4g", unit).c_str(), flags);
-  tooltip(kHowToEnter);
+  const std::string format = field_format("%.4g", number_text(value, unit), unit);
+  const bool changed = ImGui::DragFloat(id, &value, speed, low, high, format.c_str(), flags);
+  explain_entering();
   return changed;
 }
 
-void readout(const char* label, const std::string& value, const std::string& help) {
-  row_label(label, help);
+void readout(const char* label, const std::string& value, const std::string& help, float column) {
+  row_label(label, help, column);
   const std::string shown = shortened(value, ImGui::GetContentRegionAvail().x);
   ImGui::TextUnformatted(shown.c_str());
   if (shown != value) tooltip(value);
@@ -185,13 +205,16 @@ void centered_text(ImDrawList& list, Vec2 center, ImU32 color, const std::string
 }
 
 void draw_note(ImDrawList& list, Vec2 corner, const std::string& text, ImU32 ground, ImU32 color) {
-  const Vec2 size = from_imgui(ImGui::CalcTextSize(text.c_str()));
   const Vec2 pad(scaled(7), scaled(4));
+  const float room = list.GetClipRectMax().x - list.GetClipRectMin().x - 2 * pad.x;
+  const float wrap = std::max(1.0f, std::min(scaled(420), room));
+  const Vec2 size = from_imgui(ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap));
   const Vec2 lowest = from_imgui(list.GetClipRectMin()) + pad;
   const Vec2 highest = from_imgui(list.GetClipRectMax()) - size - 2.0f * pad;
   const Vec2 low = glm::max(glm::min(corner, highest), lowest);
   list.AddRectFilled(to_imgui(low - pad), to_imgui(low + size + pad), ground, scaled(4));
-  list.AddText(to_imgui(low), color, text.c_str());
+  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), to_imgui(low), color, text.c_str(), nullptr,
+               wrap);
 }
 
 void draw_hint(ImDrawList& list, Vec2 center, const std::string& text) {

@@ -24,6 +24,7 @@ struct Parameter {
   double minimum = 0;
   double maximum = 0;  // inclusive
   bool logarithmic = false;
+  std::string unused = {};  // why it has no effect as the others are; empty if it has
 };
 
 /// The settings of one integrator: plain data in the derived struct, plus their description.

@@ -3,16 +3,17 @@
 namespace guidelight {
 
 std::vector<Parameter> RadiusSettings::radius_parameters() {
+  const bool from_scene = radius_from == 0;
   return {
       {"radius_from", "Radius from",
        "What the initial radius is measured in: the scene's size or the pixel's footprint where "
-       "the "
-       "camera path first meets a surface that is not specular.",
+       "the camera path first meets a surface that is not specular.",
        "", Parameter::Choice{&radius_from, {"scene", "pixel"}}},
-      {"scene_radius", "Radius", "Initial radius, if it is from the scene.", "% of scene radius",
-       &scene_radius, 0, 100, true},
-      {"pixel_radius", "Radius in pixels", "Initial radius, if it is from the pixel.", "pixels",
-       &pixel_radius, 0, 1000, true},
+      {"scene_radius", "Radius",
+       "Initial radius, in percent of that of the scene's bounding sphere.", "% of scene",
+       &scene_radius, 0, 100, true, from_scene ? "" : "The radius is from the pixel."},
+      {"pixel_radius", "Radius in pixels", "Initial radius, in footprints of a pixel.", "pixels",
+       &pixel_radius, 0, 1000, true, from_scene ? "The radius is from the scene." : ""},
   };
 }
 

@@ -63,5 +63,19 @@ TEST_F(HarvestTest, ADraggedRectangleIsHarvested) {
   EXPECT_LE(end.y, high.y + 3);
 }
 
+TEST_F(HarvestTest, WhatIsFoundIsBroughtIntoSightBelowALongList) {
+  const std::vector<GuidePath> guides(16, {.name = "far", .vertices = {{kLamp}, {kFloor}}});
+  write_guides((folder() / "room.guides.json").string(), guides);
+  open_room();
+  driver_->press_key("h");
+  driver_->press_key("Escape");
+  const Point corner{980, 70};
+  const Point size{285, 600};
+  const ScreenPicture before = driver_->capture_when_still();
+  driver_->click(in_picture(kWall));  // away from the guides, whose vertices would be grabbed
+  EXPECT_TRUE(wait_until([&] { return block_difference(before, capture(), corner, size) > 3; }))
+      << "the panel scrolls";
+}
+
 }  // namespace
 }  // namespace guidelight

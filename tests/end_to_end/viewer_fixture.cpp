@@ -103,7 +103,8 @@ std::vector<Point> ViewerTest::fields_at(int x) const {
 Point ViewerTest::field_in_left_panel(size_t index) const {
   constexpr int kInside = 290;  // just inside the panel's right edge
   constexpr int kMiddle = 200;
-  return {kMiddle, fields_at(kInside).at(index).y};
+  constexpr size_t kButtons = 1;  // the row of buttons above
+  return {kMiddle, fields_at(kInside).at(index + kButtons).y};
 }
 
 std::string ViewerTest::save_png() {

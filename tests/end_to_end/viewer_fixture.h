@@ -47,7 +47,7 @@ class ViewerTest : public ::testing::Test {
 
   /// Input fields and buttons that reach a column of the screen, from above.
   std::vector<Point> fields_at(int x) const;
-  /// The middle of an input field of the left panel, counted from above.
+  /// The middle of an input field of the left panel, counted from above, without its buttons.
   Point field_in_left_panel(size_t index) const;
 
   /// Presses F12 until a file comes; its path. Empty if none comes.

@@ -185,6 +185,34 @@ TEST_F(ViewerTest, AnIntegratorParameterChangesTheRender) {
       << "direct light alone is darker";
 }
 
+TEST_F(ViewerTest, ThePauseButtonIsInReachHoweverManyParametersThereAre) {
+  start({write_scene("ball.xml"), "--integrator", "mps"});
+  ASSERT_TRUE(wait_for_picture());
+  constexpr int kInPause = 30;
+  constexpr uint32_t kAccent = 0xe8a84c;
+  ASSERT_TRUE(wait_until([&] { return !fields_at(kInPause).empty(); }));
+  const Point pause = fields_at(kInPause).front();
+  driver_->click(pause);
+  EXPECT_TRUE(wait_until([&] { return capture().at(pause) == kAccent; }));
+}
+
+TEST_F(ViewerTest, TheFirstHintIsClickedAwayForGood) {
+  constexpr Point kStripe{321, 60};
+  constexpr Point kCross{722, 51};  // in the upper right corner of the hint
+  constexpr uint32_t kAccent = 0xe8a84c;
+  const auto shown = [&] { return capture().at(kStripe) == kAccent; };
+  start({write_scene("ball.xml")});
+  ASSERT_TRUE(wait_until(shown));
+  driver_->click(kCross);
+  EXPECT_TRUE(wait_until([&] { return !shown(); }));
+  driver_->close_window();
+  ASSERT_TRUE(viewer_->wait(5s));
+  start({write_scene("ball.xml")});
+  ASSERT_TRUE(wait_for_picture());
+  std::this_thread::sleep_for(500ms);
+  EXPECT_FALSE(shown());
+}
+
 TEST_F(ViewerTest, KeysTypedIntoAFieldDoNothingElse) {
   start({scene("default"), "--size", "200x150"});
   ASSERT_TRUE(wait_for_picture());
@@ -281,7 +309,7 @@ TEST_F(ViewerTest, F12SavesExactlyWhatIsShown) {
 
 TEST_F(ViewerTest, ExportsAllLayersAsExr) {
   start({scene("default"), "--size", "160x120"});
-  ASSERT_TRUE(wait_for_picture());
+  ASSERT_TRUE(wait_for_full_picture());
   driver_->press_key("e", {"Control_L"});
   const auto path = folder() / "default.exr";
   ASSERT_TRUE(wait_until([&] { return std::filesystem::exists(path); }));

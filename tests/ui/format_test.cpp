@@ -35,7 +35,22 @@ TEST(Format, ValuesThatAreNoNumbersAreNamed) {
   EXPECT_EQ(format_value(-std::numeric_limits<float>::infinity()), "-∞");
 }
 
+TEST(Format, ThreeValuesHaveThreeDigitsOfTheLargest) {
+  EXPECT_EQ(format_triple({16.61f, 0.02f, 11.4f}), "16.6  0.0  11.4");
+  EXPECT_EQ(format_triple({0.0939f, 0.126f, 1.125f}), "0.09  0.13  1.12");
+  EXPECT_EQ(format_triple({-1, 0, -1e-9f}), "-1.00  0.00  0.00");
+  EXPECT_EQ(format_triple({4321, 1, 0}), "4321  1  0");
+  EXPECT_EQ(format_triple(Vec3(0)), "0.00  0.00  0.00");
+}
+
+TEST(Format, VerySmallOrLargeTriplesShareAPowerOfTen) {
+  EXPECT_EQ(format_triple({1.23e-5f, 4e-7f, 5.6e-5f}), "1.23  0.04  5.60 ×10⁻⁵");
+  EXPECT_EQ(format_triple({1e12f, 0, -2.5e12f}), "1.00  0.00  -2.50 ×10¹²");
+  EXPECT_EQ(format_triple({1, std::numeric_limits<float>::quiet_NaN(), 2}), "1  NaN  2");
+}
+
 TEST(Format, PercentAndBytes) {
+  EXPECT_EQ(format_percent(82'770), "8.3e+06 %");
   EXPECT_EQ(format_percent(0.0234), "2.3 %");
   EXPECT_EQ(format_percent(0.0012), "0.12 %");
   EXPECT_EQ(format_percent(0.5), "50 %");

@@ -28,7 +28,7 @@ void Harvester::update(bool wanted) {
         subject_ = {};  // it is begun again if it is still wanted
         return;
       }
-      if (subject == subject_) document_.harvest() = {subject.region, paths, {}, false};
+      if (subject == subject_) document_.harvest() = {subject.region, paths, {}, false, true};
     });
   };
   worker_.run(search, [this](const std::string& reason) {

@@ -101,7 +101,7 @@ class GuideDrawing {
   void draw_reason() {
     const auto place = view_.projection.to_screen(at(std::clamp(fault_->vertex, 0, count() - 1)));
     if (!place) return;
-    draw_note(list_, *place + Vec2(scaled(14), scaled(10)), shortened(fault_->message, scaled(420)),
+    draw_note(list_, *place + Vec2(scaled(14), scaled(10)), fault_->message,
               IM_COL32(60, 18, 16, 230), IM_COL32(255, 214, 210, 255));
   }
 

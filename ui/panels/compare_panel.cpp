@@ -33,7 +33,13 @@ void draw_sources(Comparison& comparison, const Perform& perform) {
     return;
   }
   row("Against", "What the render is compared with");
-  if (!ImGui::BeginCombo("##against", comparison.other().name.c_str())) return;
+  const float room = room_in_field(ImGui::CalcItemWidth()) - ImGui::GetFrameHeight();
+  const std::string& name = comparison.other().name;
+  const bool open = ImGui::BeginCombo("##against", shortened(name, room).c_str());
+  if (!open) {
+    tooltip(name);
+    return;
+  }
   const auto choice = [&](const ComparedImage& image, Comparison::Against against) {
     if (!image.image) return;
     const bool chosen = comparison.against() == against;

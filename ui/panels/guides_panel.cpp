@@ -292,9 +292,9 @@ void draw_guides_panel(Document& document, const ToolsHeld& tools, const std::st
       draw_guided_share(document);
     }
   }
-  if (!document.guides()->empty()) draw_guide_statistics(document);
   const auto selected = document.guide_view().selected;
   if (selected && section("Selected guide")) draw_selected(document, *selected);
+  if (!document.guides()->empty()) draw_guide_statistics(document);
   draw_harvest_panel(document, tools.harvest, perform);
   if (section("Placing and showing")) draw_options(document, file);
 }

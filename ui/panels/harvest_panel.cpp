@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "ui/format.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets.h"
@@ -54,6 +56,7 @@ void draw_paths(Harvest& harvest, const Perform& perform) {
     ImGui::EndTable();
   }
   if (ImGui::Button("Keep as a guide", {-FLT_MIN, 0})) perform(Action::KeepPath);
+  if (std::exchange(harvest.is_news, false) && !ImGui::IsItemVisible()) ImGui::SetScrollHereY(1);
   tooltip(
       fmt::format("The selected one, else the strongest ({})", shortcut_text(Action::KeepPath)));
 }

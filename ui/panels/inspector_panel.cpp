@@ -10,7 +10,10 @@
 namespace guidelight {
 namespace {
 
-std::string triple(Vec3 v) { return fmt::format("{:.3g}  {:.3g}  {:.3g}", v.x, v.y, v.z); }
+/// A row for three values; its tooltip has each with all its digits.
+void readout_triple(const char* label, Vec3 v, const std::string& help) {
+  readout(label, format_triple(v), fmt::format("{}: {:.6g}, {:.6g}, {:.6g}", help, v.x, v.y, v.z));
+}
 
 std::string error_text(const PixelReport& report) {
   if (report.samples < 2) return "unknown yet";
@@ -21,7 +24,7 @@ std::string error_text(const PixelReport& report) {
 }
 
 void draw_values(const PixelReport& report) {
-  readout("Radiance", triple(report.radiance), "Red, green, blue [W/(m² sr)]");
+  readout_triple("Radiance", report.radiance, "Red, green, blue [W/(m² sr)]");
   readout("Luminance", format_value(luminance(report.radiance)), "Rec. 709 [W/(m² sr)]");
   readout("Error", error_text(report),
           "Standard error of the luminance, estimated from the samples");
@@ -34,7 +37,8 @@ void draw_contributions(const PixelReport& report) {
   if (!(whole > 0)) return;
   const auto part = [&](const char* label, Color radiance, const std::string& what) {
     const float share = luminance(radiance) / whole;
-    share_bar(label, share, format_percent(share), what + ": " + triple(radiance) + " W/(m² sr)");
+    share_bar(label, share, format_percent(share),
+              what + ": " + format_triple(radiance) + " W/(m² sr)");
   };
   dim_text("What its light is made of");
   part("Direct", report.direct, "Lights that are seen, and light after one scattering");
@@ -65,10 +69,10 @@ void draw_surface(const PixelReport& report) {
   readout("Sees", seen.emits ? shape + " (light)" : shape,
           "The shape hit through the pixel's middle");
   readout("BSDF", bsdf);
-  readout("Position", triple(seen.position), "In world space [scene units]");
+  readout_triple("Position", seen.position, "In world space [scene units]");
   readout("Depth", format_value(report.depth), "Mean distance from the camera [scene units]");
-  readout("Normal", triple(report.normal), "In world space, mean over the samples");
-  readout("Albedo", triple(report.albedo));
+  readout_triple("Normal", report.normal, "In world space, mean over the samples");
+  readout_triple("Albedo", report.albedo, "Share of red, green and blue light that is reflected");
 }
 
 /// For progressive density estimates: radius, count and estimate over the light paths.

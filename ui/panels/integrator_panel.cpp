@@ -12,7 +12,7 @@ constexpr const char* kRestarts = "Changing it restarts the render.";
 void draw_integrator_choice(Document& document) {
   const IntegratorInfo& current = find_integrator(document.settings().integrator);
   ImGui::SetNextItemWidth(-FLT_MIN);
-  const float width = ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - scaled(12);
+  const float width = room_in_field(ImGui::CalcItemWidth()) - ImGui::GetFrameHeight();
   const bool open = ImGui::BeginCombo("##integrator", shortened(current.label, width).c_str(),
                                       ImGuiComboFlags_HeightLargest);
   if (!open) tooltip(std::string("How light is simulated. ") + kRestarts);
@@ -27,12 +27,6 @@ void draw_integrator_choice(Document& document) {
     ImGui::EndCombo();
   }
   wrapped_dim_text(current.summary);
-}
-
-/// A key as words: "own_path" is shown as "own path".
-std::string words(std::string key) {
-  std::ranges::replace(key, '_', ' ');
-  return key;
 }
 
 /// The widget of one parameter; returns whether its value was changed.
@@ -56,10 +50,10 @@ struct ParameterWidget {
 
   bool operator()(const Parameter::Choice& choice) const {
     bool changed = false;
-    if (ImGui::BeginCombo(id, words(choice.names[*choice.value]).c_str())) {
+    if (ImGui::BeginCombo(id, choice_text(choice.names[*choice.value]).c_str())) {
       for (int i = 0; i < static_cast<int>(choice.names.size()); ++i) {
         const bool chosen = i == *choice.value;
-        if (ImGui::Selectable(words(choice.names[i]).c_str(), chosen) && !chosen) {
+        if (ImGui::Selectable(choice_text(choice.names[i]).c_str(), chosen) && !chosen) {
           *choice.value = i;
           changed = true;
         }
@@ -72,19 +66,34 @@ struct ParameterWidget {
 
 }  // namespace
 
-bool draw_parameter(const Parameter& parameter, float column) {
-  row(parameter.label.c_str(), parameter.help + " " + kRestarts, column);
-  const std::string id = "##" + parameter.key;
-  return std::visit(ParameterWidget{parameter, id.c_str()}, parameter.value);
+std::string choice_text(std::string name) {
+  std::ranges::replace(name, '_', ' ');
+  return name;
 }
 
-void draw_integrator_panel(Document& document) {
+bool draw_parameter(const Parameter& parameter, float column) {
+  const bool unused = !parameter.unused.empty();
+  const std::string reason = "It has no effect now: " + parameter.unused;
+  row(parameter.label.c_str(), parameter.help + " " + (unused ? reason : kRestarts), column);
+  const std::string id = "##" + parameter.key;
+  ImGui::BeginDisabled(unused);
+  const bool changed = std::visit(ParameterWidget{parameter, id.c_str()}, parameter.value);
+  ImGui::EndDisabled();
+  if (unused) tooltip(reason);
+  return changed;
+}
+
+float settings_column(const std::vector<Parameter>& parameters) {
+  constexpr float kLeastShare = 0.46f;  // at the usual width all labels need no more
+  std::vector<std::string> labels;
+  for (const Parameter& parameter : parameters) labels.push_back(parameter.label);
+  return label_column(labels, kLeastShare);
+}
+
+void draw_integrator_panel(Document& document, float column) {
   if (!document.has_scene() || !section("Integrator")) return;
   const std::shared_ptr<IntegratorSettings> edited = document.settings().parameters->clone();
   const std::vector<Parameter> parameters = edited->parameters();
-  std::vector<std::string> labels;
-  for (const Parameter& parameter : parameters) labels.push_back(parameter.label);
-  const float column = label_column(labels);
   draw_integrator_choice(document);
   bool changed = false;
   for (const Parameter& parameter : parameters) changed |= draw_parameter(parameter, column);

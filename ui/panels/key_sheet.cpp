@@ -13,15 +13,44 @@ struct Entry {
   std::string label;
 };
 
+struct Group {
+  std::string title;
+  std::vector<Entry> entries;
+
+  size_t lines() const { return entries.size() + 2; }  // with its title and a gap
+};
+
+/// Groups below each other, and the room that they take.
+struct Column {
+  std::vector<Group> groups;
+  float keys = 0;   // width, with a gap
+  float width = 0;  // of all
+
+  void add(const Group& group) {
+    constexpr float kGap = 14;
+    groups.push_back(group);
+    float labels = 0;
+    for (const Entry& entry : group.entries) {
+      keys = std::max(keys, ImGui::CalcTextSize(entry.keys.c_str()).x + scaled(kGap));
+    }
+    for (const Group& each : groups) {
+      for (const Entry& entry : each.entries) {
+        labels = std::max(labels, ImGui::CalcTextSize(entry.label.c_str()).x);
+      }
+    }
+    width = keys + labels;
+  }
+};
+
 /// The key table by its groups, in the order of the table.
-std::vector<std::pair<std::string, std::vector<Entry>>> grouped_entries() {
-  std::vector<std::pair<std::string, std::vector<Entry>>> groups;
+std::vector<Group> grouped_entries() {
+  std::vector<Group> groups;
   const auto group_named = [&](const char* name) -> std::vector<Entry>& {
-    for (auto& [title, entries] : groups) {
-      if (title == name) return entries;
+    for (Group& group : groups) {
+      if (group.title == name) return group.entries;
     }
     groups.push_back({name, {}});
-    return groups.back().second;
+    return groups.back().entries;
   };
   for (const KeyBinding& binding : key_bindings()) {
     group_named(binding.group).push_back({key_text(binding.key, binding.modifiers), binding.label});
@@ -29,7 +58,7 @@ std::vector<std::pair<std::string, std::vector<Entry>>> grouped_entries() {
   for (const MouseBinding& binding : mouse_bindings()) {
     group_named(binding.group).push_back({mouse_text(binding), binding.label});
   }
-  group_named("Image").push_back({"hold Shift", "The compared picture alone"});
+  group_named("Image").push_back({"hold Shift", "The other picture alone"});
   auto& tools = group_named("While a path is placed");
   for (const ToolKey& key : tool_keys()) {
     if (key.label) tools.push_back({key_text(key.key, 0), key.label});
@@ -41,18 +70,44 @@ std::vector<std::pair<std::string, std::vector<Entry>>> grouped_entries() {
   return groups;
 }
 
-void draw_group(const std::string& title, const std::vector<Entry>& entries) {
-  constexpr float kNarrowest = 84;  // so that most groups are aligned
-  constexpr float kGap = 14;
-  float keys = scaled(kNarrowest);
-  for (const Entry& entry : entries) {
-    keys = std::max(keys, ImGui::CalcTextSize(entry.keys.c_str()).x + scaled(kGap));
+/// So many columns of about the same height.
+std::vector<Column> in_columns(const std::vector<Group>& groups, size_t count) {
+  size_t lines = 0;
+  for (const Group& group : groups) lines += group.lines();
+  std::vector<Column> columns(1);
+  size_t placed = 0;
+  for (const Group& group : groups) {
+    if (count * (placed + group.lines() / 2) > columns.size() * lines) columns.emplace_back();
+    columns.back().add(group);
+    placed += group.lines();
   }
+  return columns;
+}
+
+constexpr float kGapOfColumns = 26;
+
+float width_of(const std::vector<Column>& columns) {
+  float width = scaled(kGapOfColumns) * static_cast<float>(columns.size() - 1);
+  for (const Column& column : columns) width += column.width;
+  return width;
+}
+
+/// As many columns as there is room for.
+std::vector<Column> fitting_columns(float room) {
+  const std::vector<Group> groups = grouped_entries();
+  for (size_t count = 4; count > 1; --count) {
+    std::vector<Column> columns = in_columns(groups, count);
+    if (width_of(columns) <= room) return columns;
+  }
+  return in_columns(groups, 1);
+}
+
+void draw_group(const Group& group, float keys) {
   ImGui::PushFont(heading_font());
-  ImGui::TextUnformatted(title.c_str());
+  ImGui::TextUnformatted(group.title.c_str());
   ImGui::PopFont();
   const float left = ImGui::GetCursorPosX();
-  for (const Entry& entry : entries) {
+  for (const Entry& entry : group.entries) {
     ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(palette::kAccent), "%s", entry.keys.c_str());
     ImGui::SameLine();
     ImGui::SetCursorPosX(left + keys);
@@ -61,29 +116,16 @@ void draw_group(const std::string& title, const std::vector<Entry>& entries) {
   ImGui::Dummy({0, scaled(8)});
 }
 
-/// In as many columns as there is room for, of about the same height.
-void draw_groups() {
-  constexpr float kWidest = 296;  // of a group, at scale 1
-  constexpr int kMostColumns = 4;
-  constexpr size_t kHeading = 2;  // lines
-  const auto groups = grouped_entries();
-  const auto room = static_cast<int>(ImGui::GetContentRegionAvail().x / scaled(kWidest));
-  const auto columns = static_cast<size_t>(std::clamp(room, 1, kMostColumns));
-  size_t lines = 0;
-  for (const auto& [title, entries] : groups) lines += kHeading + entries.size();
-  ImGui::Columns(static_cast<int>(columns), "groups", false);
-  size_t drawn = 0;
-  size_t column = 1;
-  for (const auto& [title, entries] : groups) {
-    const size_t height = kHeading + entries.size();
-    if (columns * (drawn + height / 2) > column * lines) {
-      ImGui::NextColumn();
-      ++column;
-    }
-    draw_group(title, entries);
-    drawn += height;
+void draw_columns(const std::vector<Column>& columns) {
+  float left = ImGui::GetCursorPosX();
+  for (const Column& column : columns) {
+    ImGui::SetCursorPosX(left);
+    ImGui::BeginGroup();
+    for (const Group& group : column.groups) draw_group(group, column.keys);
+    ImGui::EndGroup();
+    left += column.width + scaled(kGapOfColumns);
+    if (&column != &columns.back()) ImGui::SameLine();
   }
-  ImGui::Columns(1);
 }
 
 }  // namespace
@@ -93,11 +135,13 @@ void draw_key_sheet(bool& open) {
   if (open && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({std::min(scaled(1240), screen.x * 0.96f), 0});
+  const float borders = 2 * ImGui::GetStyle().WindowPadding.x + ImGui::GetStyle().ScrollbarSize;
+  const std::vector<Column> columns = fitting_columns(0.98f * screen.x - borders);
+  ImGui::SetNextWindowSize({width_of(columns) + borders, 0});
   if (!ImGui::BeginPopupModal(kTitle, &open, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
     return;
   }
-  draw_groups();
+  draw_columns(columns);
   const bool clicked_outside =
       ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsWindowHovered();
   if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)) || clicked_outside) open = false;

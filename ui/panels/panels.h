@@ -29,12 +29,19 @@ void action_button(const char* label, Action action, bool on, float width, const
 void draw_menu_bar(const Document& document, const RecentFiles& recent, const Perform& perform,
                    const std::function<void(const std::string&)>& open_scene, ViewLayout& views);
 
-void draw_scene_panel(const Document& document);
+/// Pause, restart and the tool for a render region.
+void draw_render_commands(const Document& document, bool region_tool_active,
+                          const Perform& perform);
+/// Where the fields of the next three panels begin, as in row(), so that they stand below each
+/// other and every label fits.
+float settings_column(const std::vector<Parameter>& parameters);
+void draw_scene_panel(const Document& document, float column);
 /// A row with a parameter's widget; returns whether its value was changed. `column` as in row().
 bool draw_parameter(const Parameter& parameter, float column = 0);
-void draw_integrator_panel(Document& document);
-void draw_render_panel(Document& document, bool region_tool_active, int& autosave_minutes,
-                       const Perform& perform);
+/// A choice as it is shown: "own_path" is "own path".
+std::string choice_text(std::string name);
+void draw_integrator_panel(Document& document, float column);
+void draw_render_panel(Document& document, int& autosave_minutes, float column);
 
 /// How far the render is, how fast it goes, and how its Markov chains fare.
 void draw_statistics_panel(const Document& document);

@@ -11,7 +11,85 @@ namespace {
 
 constexpr int kMaxSide = 16384;  // [pixels] of a picture
 
-void draw_commands(const Document& document, bool region_tool_active, const Perform& perform) {
+/// Shares of the scene's own size.
+bool edit_size(const Scene& scene, RenderSettings& settings, float column) {
+  const int width = scene.camera().width();
+  const int height = scene.camera().height();
+  bool changed = false;
+  row("Size", "Of the picture in pixels. Changing it restarts the render.", column);
+  const std::string shown = fmt::format("{} × {}", settings.width, settings.height);
+  if (!ImGui::BeginCombo("##size", shown.c_str())) return false;
+  for (const int percent : {25, 50, 100, 200}) {
+    const int scaled_width = std::clamp(width * percent / 100, 1, kMaxSide);
+    const int scaled_height = std::clamp(height * percent / 100, 1, kMaxSide);
+    const std::string label = fmt::format("{} × {}   {} %", scaled_width, scaled_height, percent);
+    const bool chosen = scaled_width == settings.width && scaled_height == settings.height;
+    if (ImGui::Selectable(label.c_str(), chosen) && !chosen) {
+      settings.width = scaled_width;
+      settings.height = scaled_height;
+      changed = true;
+    }
+  }
+  ImGui::EndCombo();
+  return changed;
+}
+
+bool edit_threads(RenderSettings& settings, float column) {
+  const int all = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  int threads = settings.threads > 0 ? settings.threads : all;
+  row("Threads",
+      "Render threads; the window comes first on all of them. Changing it restarts the render.",
+      column);
+  const char* note = settings.threads == 0 ? "(all)" : "";
+  if (!number("##threads", threads, 1, std::max(all, settings.threads), note)) return false;
+  settings.threads = threads == all ? 0 : threads;
+  return true;
+}
+
+bool edit_seed(RenderSettings& settings, float column) {
+  row("Seed", "The same seed gives the same picture. Changing it restarts the render.", column);
+  const uint64_t step = 1;
+  return ImGui::InputScalar("##seed", ImGuiDataType_U64, &settings.seed, &step);
+}
+
+bool edit_targets(RenderTargets& targets, float column) {
+  const std::string no_limit = " 0 sets no limit. Changing it does not restart the render.";
+  bool changed = false;
+
+  int passes = static_cast<int>(targets.passes);
+  row("Stop after", "Passes to render, one sample per pixel each." + no_limit, column);
+  if (number("##passes", passes, 0, 1 << 24, passes == 0 ? "(no limit)" : "passes")) {
+    targets.passes = static_cast<uint32_t>(passes);
+    changed = true;
+  }
+  int seconds = static_cast<int>(targets.seconds);
+  row("or after", "Seconds of rendering, pauses excluded." + no_limit, column);
+  if (number("##seconds", seconds, 0, 1 << 24, seconds == 0 ? "s (no limit)" : "s")) {
+    targets.seconds = seconds;
+    changed = true;
+  }
+  auto percent = static_cast<float>(100 * targets.relative_error);
+  row("or at error", "Estimated relative error of a pixel, mean over the picture." + no_limit,
+      column);
+  if (number("##error", percent, 0, 100, percent == 0 ? "% (no limit)" : "%")) {
+    targets.relative_error = percent / 100;
+    changed = true;
+  }
+  return changed;
+}
+
+void edit_autosave(int& minutes, float column) {
+  row("Autosave",
+      "Minutes between checkpoints that are saved while rendering, beside the pictures. 0: never.",
+      column);
+  number("##autosave", minutes, 0, 24 * 60, minutes == 0 ? "min (never)" : "min");
+}
+
+}  // namespace
+
+void draw_render_commands(const Document& document, bool region_tool_active,
+                          const Perform& perform) {
+  if (!document.has_scene()) return;
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
   const auto explain = [](Action action) {
@@ -31,90 +109,15 @@ void draw_commands(const Document& document, bool region_tool_active, const Perf
   explain(region ? Action::ClearRegion : Action::RegionTool);
 }
 
-/// Shares of the scene's own size.
-bool edit_size(const Scene& scene, RenderSettings& settings) {
-  const int width = scene.camera().width();
-  const int height = scene.camera().height();
-  bool changed = false;
-  row("Size", "Of the picture in pixels. Changing it restarts the render.");
-  const std::string shown = fmt::format("{} × {}", settings.width, settings.height);
-  if (!ImGui::BeginCombo("##size", shown.c_str())) return false;
-  for (const int percent : {25, 50, 100, 200}) {
-    const int scaled_width = std::clamp(width * percent / 100, 1, kMaxSide);
-    const int scaled_height = std::clamp(height * percent / 100, 1, kMaxSide);
-    const std::string label = fmt::format("{} × {}   {} %", scaled_width, scaled_height, percent);
-    const bool chosen = scaled_width == settings.width && scaled_height == settings.height;
-    if (ImGui::Selectable(label.c_str(), chosen) && !chosen) {
-      settings.width = scaled_width;
-      settings.height = scaled_height;
-      changed = true;
-    }
-  }
-  ImGui::EndCombo();
-  return changed;
-}
-
-bool edit_threads(RenderSettings& settings) {
-  const int all = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  int threads = settings.threads > 0 ? settings.threads : all;
-  row("Threads",
-      "Render threads; the window comes first on all of them. Changing it restarts the render.");
-  const char* note = settings.threads == 0 ? "(all)" : "";
-  if (!number("##threads", threads, 1, std::max(all, settings.threads), note)) return false;
-  settings.threads = threads == all ? 0 : threads;
-  return true;
-}
-
-bool edit_seed(RenderSettings& settings) {
-  row("Seed", "The same seed gives the same picture. Changing it restarts the render.");
-  const uint64_t step = 1;
-  return ImGui::InputScalar("##seed", ImGuiDataType_U64, &settings.seed, &step);
-}
-
-bool edit_targets(RenderTargets& targets) {
-  const std::string no_limit = " 0 sets no limit. Changing it does not restart the render.";
-  bool changed = false;
-
-  int passes = static_cast<int>(targets.passes);
-  row("Stop after", "Passes to render, one sample per pixel each." + no_limit);
-  if (number("##passes", passes, 0, 1 << 24, passes == 0 ? "passes (no limit)" : "passes")) {
-    targets.passes = static_cast<uint32_t>(passes);
-    changed = true;
-  }
-  int seconds = static_cast<int>(targets.seconds);
-  row("or after", "Seconds of rendering, pauses excluded." + no_limit);
-  if (number("##seconds", seconds, 0, 1 << 24, seconds == 0 ? "s (no limit)" : "s")) {
-    targets.seconds = seconds;
-    changed = true;
-  }
-  auto percent = static_cast<float>(100 * targets.relative_error);
-  row("or at error", "Estimated relative error of a pixel, mean over the picture." + no_limit);
-  if (number("##error", percent, 0, 100, percent == 0 ? "% (no limit)" : "%")) {
-    targets.relative_error = percent / 100;
-    changed = true;
-  }
-  return changed;
-}
-
-void edit_autosave(int& minutes) {
-  row("Autosave",
-      "Minutes between checkpoints that are saved while rendering, beside the pictures. 0: never.");
-  number("##autosave", minutes, 0, 24 * 60, minutes == 0 ? "min (never)" : "min");
-}
-
-}  // namespace
-
-void draw_render_panel(Document& document, bool region_tool_active, int& autosave_minutes,
-                       const Perform& perform) {
+void draw_render_panel(Document& document, int& autosave_minutes, float column) {
   if (!document.has_scene() || !section("Render")) return;
-  draw_commands(document, region_tool_active, perform);
   RenderSettings settings = document.settings();
-  bool changed = edit_size(document.scene(), settings);
-  changed |= edit_threads(settings);
-  changed |= edit_seed(settings);
-  changed |= edit_targets(settings.targets);
+  bool changed = edit_size(document.scene(), settings, column);
+  changed |= edit_threads(settings, column);
+  changed |= edit_seed(settings, column);
+  changed |= edit_targets(settings.targets, column);
   if (changed) document.set_settings(settings);
-  edit_autosave(autosave_minutes);
+  edit_autosave(autosave_minutes, column);
 }
 
 }  // namespace guidelight

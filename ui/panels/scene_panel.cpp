@@ -24,7 +24,7 @@ void draw_warnings(const std::vector<std::string>& warnings) {
 
 }  // namespace
 
-void draw_scene_panel(const Document& document) {
+void draw_scene_panel(const Document& document, float column) {
   if (!section("Scene")) return;
   if (!document.has_scene()) {
     wrapped_dim_text("None is open. Scenes are Mitsuba XML or glTF 2.0 files.");
@@ -33,15 +33,17 @@ void draw_scene_panel(const Document& document) {
   const Scene& scene = document.scene();
   const Scene::Statistics statistics = scene.statistics();
   const std::filesystem::path file(document.opened().path);
-  readout("File", (file.parent_path().filename() / file.filename()).string());
+  const auto show = [column](const char* label, const std::string& value,
+                             const std::string& help = "") { readout(label, value, help, column); };
+  show("File", (file.parent_path().filename() / file.filename()).string());
   tooltip(document.opened().path);
-  readout("Shapes", format_count(static_cast<double>(statistics.shapes)));
-  readout("Triangles", format_count(static_cast<double>(statistics.triangles)));
+  show("Shapes", format_count(static_cast<double>(statistics.shapes)));
+  show("Triangles", format_count(static_cast<double>(statistics.triangles)));
   if (statistics.instances > 0) {
-    readout("Instances", format_count(static_cast<double>(statistics.instances)));
+    show("Instances", format_count(static_cast<double>(statistics.instances)));
   }
-  readout("Lights", format_count(static_cast<double>(statistics.lights)));
-  readout("Memory", format_bytes(statistics.bytes), "Geometry, its search structure and textures");
+  show("Lights", format_count(static_cast<double>(statistics.lights)));
+  show("Memory", format_bytes(statistics.bytes), "Geometry, its search structure and textures");
   draw_warnings(scene.description().warnings);
 }
 

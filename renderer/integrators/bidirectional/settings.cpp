@@ -1,6 +1,11 @@
 #include "renderer/integrators/bidirectional/settings.h"
 
 namespace guidelight {
+namespace {
+
+constexpr const char* kNoMerging = "Vertices are not merged.";
+
+}  // namespace
 
 BidirectionalSettings::BidirectionalSettings(BidirectionalKind which) : kind(which) {
   switch (which) {
@@ -44,6 +49,7 @@ std::vector<Parameter> BidirectionalSettings::parameters() {
   const bool combines = kind == BidirectionalKind::Bdpt || kind == BidirectionalKind::Vcm;
   const bool is_vcm = kind == BidirectionalKind::Vcm;
   const bool is_bdpm = kind == BidirectionalKind::Bdpm;
+  const std::string no_connections = connections ? "" : "Vertices are not connected.";
   std::vector<Parameter> list = {
       {"max_length", "Longest path", "Longest path in segments, -1 has no limit.", "segments",
        &max_length, -1, 1024},
@@ -63,7 +69,7 @@ std::vector<Parameter> BidirectionalSettings::parameters() {
       {"next_event", "Connect to lights",
        "Technique s = 1: camera vertices connected to a point on a light.", "", &next_event});
   add(combines || is_bdpm,
-      {"light_tracing", "Connect to the lens",
+      {"light_tracing", "Connect to lens",
        "Technique t = 1: light vertices connected to the camera.", "", &light_tracing});
   add(combines, {"connections", "Connect vertices",
                  "Techniques with s, t >= 2: light vertices connected to camera vertices.", "",
@@ -71,25 +77,32 @@ std::vector<Parameter> BidirectionalSettings::parameters() {
   add(combines,
       {"connect_to", "Connected with",
        "Every vertex of the pixel's own light path, or random vertices of all light paths.", "",
-       Parameter::Choice{&connect_to, {"own_path", "random_vertices"}}});
-  add(combines,
-      {"random_vertices", "Random vertices",
-       "Vertices per camera vertex, when they are chosen at random.", "", &random_vertices, 1, 64});
+       Parameter::Choice{&connect_to, {"own_path", "random_vertices"}}, 0, 0, false,
+       no_connections});
+  add(combines, {"random_vertices", "Random vertices",
+                 "Vertices per camera vertex, when they are chosen at random.", "",
+                 &random_vertices, 1, 64, false,
+                 !connections      ? no_connections
+                 : connect_to == 0 ? "Vertices are connected with the pixel's own path."
+                                   : ""});
   add(is_vcm, {"merging", "Merge vertices", "Merge camera vertices with photons.", "", &merging});
   const bool can_merge = kind >= BidirectionalKind::ProbabilisticPpm;
-  for (const Parameter& parameter : radius_parameters()) add(can_merge, parameter);
+  for (Parameter parameter : radius_parameters()) {
+    if (!merging) parameter.unused = kNoMerging;
+    add(can_merge, parameter);
+  }
   add(is_bdpm, {"neighbors", "Photons",
-                "Photons of one estimate; the radius above limits how far they are looked for.", "",
-                &neighbors, 1, 10000, true});
+                "Photons of one estimate; the radius above limits how far they are looked for.",
+                "per estimate", &neighbors, 1, 10000, true});
   add(is_bdpm, {"kernel", "Kernel", "How photons count within an estimate.", "",
                 Parameter::Choice{&kernel, {"constant", "cone", "epanechnikov"}}});
   add(can_merge && !is_bdpm,
       {"alpha", "Radius reduction", "The radius of pass i is r*i^((alpha-1)/2); 1 keeps it.", "",
-       &alpha, 0.01, 1});
+       &alpha, 0.01, 1, false, merging ? "" : kNoMerging});
   add(is_vcm,
       {"merge_direct", "Merge direct light",
        "Merge also direct light and directly visible caustics, which connections do better.", "",
-       &merge_direct});
+       &merge_direct, 0, 0, false, merging ? "" : kNoMerging});
   add(can_merge && !is_bdpm,
       {"lean", "Save memory", "Keep photons only, and merge with those of the pass before.", "",
        &lean});

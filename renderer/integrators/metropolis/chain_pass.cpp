@@ -40,9 +40,10 @@ std::vector<Parameter> ChainSettings::parameters() {
        "Emitters and direct light are path traced, which is quicker where they are easy; not with "
        "a shortest path.",
        "", &separate_direct},
-      {"direct_samples", "Direct light samples",
-       "Samples of the path traced part, which costs little beside the mutations.",
-       "per pixel and pass", &direct_samples, 1, 1000, true},
+      {"direct_samples", "Direct samples",
+       "Samples of the path traced part per pixel and pass; they cost little beside the mutations.",
+       "per pixel", &direct_samples, 1, 1000, true,
+       separates(*this) ? "" : "Direct light is not path traced apart."},
       {"mutations", "Mutations", "Mutations per pixel and pass.", "per pixel", &mutations, 0.1,
        1000, true},
       {"chains", "Chains", "Independent chains, which share the mutations.", "", &chains, 1, 4096,

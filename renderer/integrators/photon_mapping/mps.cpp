@@ -52,8 +52,8 @@ std::vector<Parameter> MpsSettings::parameters() {
        "Paths from the eye in the first pass, which tell how much of a photon is seen; more in "
        "later passes if the radius shrinks.",
        "per pass", &importance_paths, 100, 1e8, true},
-      {"importance_neighbors", "Importance per estimate",
-       "Nearest particles from the eye that such an estimate is made of.", "",
+      {"importance_neighbors", "Importons",
+       "Nearest particles from the eye that an estimate of importance is made of.", "per estimate",
        &importance_neighbors, 2, static_cast<double>(EstimateSettings::kMaxNeighbors), true},
       {"light_paths", "Light paths",
        "Light paths per pass that leave photons beside those of the chains; they bound the power "

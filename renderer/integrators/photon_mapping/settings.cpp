@@ -15,13 +15,15 @@ std::vector<Parameter> PhotonMappingSettings::parameters() {
       {"min_length", "Shortest path",
        "Shortest path in segments: 1 shows emitters, 2 begins with direct light.", "segments",
        &min_length, 1, 1024},
-      {"neighbors", "Photons per estimate", "Nearest photons that an estimate is made of.", "",
+      {"neighbors", "Photons", "Nearest photons that an estimate is made of.", "per estimate",
        &neighbors, 2, static_cast<double>(EstimateSettings::kMaxNeighbors), true},
-      {"global_distance", "Search distance", "Largest radius of an estimate from the global map.",
-       "% of scene radius", &global_distance, 0, 100, true},
-      {"caustic_distance", "Search distance of caustics",
-       "Largest radius of an estimate from the caustic map.", "% of scene radius",
-       &caustic_distance, 0, 100, true},
+      {"global_distance", "Largest radius",
+       "Of an estimate from the global map, in percent of that of the scene's bounding sphere.",
+       "% of scene", &global_distance, 0, 100, true},
+      {"caustic_distance", "Caustic radius",
+       "Largest radius of an estimate from the caustic map, in percent of that of the scene's "
+       "bounding sphere.",
+       "% of scene", &caustic_distance, 0, 100, true},
       {"kernel", "Kernel", "How photons count between the centre of an estimate and its rim.", "",
        Parameter::Choice{&kernel, {"constant", "cone", "epanechnikov"}}},
       {"alpha", "Shrinking",
@@ -40,10 +42,10 @@ std::vector<Parameter> PhotonMappingSettings::parameters() {
       {"sharpness", "Sharp scattering",
        "Scattering of a higher density is followed like a mirror's, any other estimated from "
        "photons.",
-       "1/sr", &sharpness, 0.35, 1e6, true},
-      {"precomputed_irradiance", "Precomputed irradiance",
+       "per sr", &sharpness, 0.35, 1e6, true},
+      {"precomputed_irradiance", "Precompute",
        "Computes irradiance ahead at every fourth photon; gather rays then look up one point "
-       "instead of k.",
+       "instead of all photons of an estimate.",
        "", &precomputed_irradiance},
       {"irradiance_cache", "Irradiance cache",
        "Gathers at few points and interpolates by gradients, on surfaces that reflect light "
@@ -51,7 +53,7 @@ std::vector<Parameter> PhotonMappingSettings::parameters() {
        "", &irradiance_cache},
       {"cache_accuracy", "Cache accuracy",
        "Relative error that the cache's model allows: smaller means more points.", "",
-       &cache_accuracy, 0.01, 1, true},
+       &cache_accuracy, 0.01, 1, true, irradiance_cache ? "" : "The irradiance cache is off."},
   };
 }
 
