@@ -13,7 +13,7 @@ namespace {
 struct MpsSettings : PhotonMappingSettings {
   int mutations = 100000;  // per pass
   int chains = 32;
-  int seed_paths = 40000;         // per pass
+  int seed_paths = 160000;        // per pass
   int importance_paths = 100000;  // in the first pass
   int importance_neighbors = 40;
   float max_angle = 30;  // γ of the photon-map perturbation [degrees]

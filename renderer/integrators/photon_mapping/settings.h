@@ -19,7 +19,7 @@ struct PhotonMappingSettings : IntegratorSettings, GuideSettings {
   float alpha = 1;                // k of pass i is k·i^(α-1)
   int gather_rays = 100;          // per gather point
   int camera_samples = 4;         // camera paths per pixel and pass
-  int light_samples = 8;          // points on lights, per vertex
+  int light_samples = 4;          // points on lights, per vertex
   float sharpness = 2;            // see SharpScattering [1/sr]
   bool precomputed_irradiance = true;
   bool irradiance_cache = true;
