@@ -7,7 +7,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr uint32_t kAccent = 0xe8a84c;
 constexpr uint32_t kMergingFrame = 0x78beff;
 
 class TechniquesTest : public RoomTest {

@@ -24,6 +24,7 @@ class ViewerTest : public ::testing::Test {
   static constexpr Point kViewCorner{309, 27};
   static constexpr Point kViewSize{662, 658};
   static constexpr Point kViewCenter{640, 356};
+  static constexpr uint32_t kAccent = 0xe8a84c;  // of what is on or chosen
 
   void SetUp() override;
   void TearDown() override;

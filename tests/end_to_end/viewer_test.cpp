@@ -189,7 +189,6 @@ TEST_F(ViewerTest, ThePauseButtonIsInReachHoweverManyParametersThereAre) {
   start({write_scene("ball.xml"), "--integrator", "mps"});
   ASSERT_TRUE(wait_for_picture());
   constexpr int kInPause = 30;
-  constexpr uint32_t kAccent = 0xe8a84c;
   ASSERT_TRUE(wait_until([&] { return !fields_at(kInPause).empty(); }));
   const Point pause = fields_at(kInPause).front();
   driver_->click(pause);
@@ -199,7 +198,6 @@ TEST_F(ViewerTest, ThePauseButtonIsInReachHoweverManyParametersThereAre) {
 TEST_F(ViewerTest, TheFirstHintIsClickedAwayForGood) {
   constexpr Point kStripe{321, 60};
   constexpr Point kCross{722, 51};  // in the upper right corner of the hint
-  constexpr uint32_t kAccent = 0xe8a84c;
   const auto shown = [&] { return capture().at(kStripe) == kAccent; };
   start({write_scene("ball.xml")});
   ASSERT_TRUE(wait_until(shown));
