@@ -103,6 +103,16 @@ PhotonMap::Irradiance PhotonMap::irradiance(Vec3 position, Vec3 normal,
   return {sum * kOversearch, neighbors.radius_squared};
 }
 
+namespace {
+
+/// Whether two points lie in one plane, but for what a smooth surface is curved.
+bool is_in_plane(Vec3 from_one_to_other, Vec3 normal) {
+  constexpr float kSine = 0.1f;
+  return sqr(glm::dot(from_one_to_other, normal)) <= sqr(kSine) * length_squared(from_one_to_other);
+}
+
+}  // namespace
+
 IrradianceMap::IrradianceMap(const PhotonMap& photons, const EstimateSettings& settings,
                              int max_length, Parallel& parallel) {
   constexpr size_t kPointsPerTask = 256;
@@ -137,8 +147,9 @@ std::optional<Color> IrradianceMap::irradiance(Vec3 position, Vec3 normal,
   float best_distance = kInfinity;
   for (const Neighbor& neighbor : neighbors.found) {
     const Point& point = tree_.items()[neighbor.index];
-    const bool fits = neighbor.distance_squared <= point.reach_squared &&
-                      is_same_side(unpack_direction(point.packed_normal), normal);
+    const bool in_reach = neighbor.distance_squared <= point.reach_squared ||
+                          is_in_plane(point.position - position, normal);
+    const bool fits = in_reach && is_same_side(unpack_direction(point.packed_normal), normal);
     if (!fits || neighbor.distance_squared >= best_distance) continue;
     best = &point;
     best_distance = neighbor.distance_squared;

@@ -87,8 +87,8 @@ class IrradianceMap {
                 Parallel& parallel);
 
   /// From the nearest point of the same surface and side; empty if there is none within
-  /// `max_distance`, or none whose own estimate reaches as far as here: the other side of a thin
-  /// wall may be bright, with many photons in small discs.
+  /// `max_distance`. Points off the plane must have an estimate that reaches as far as here: what
+  /// is behind a thin wall may be bright, with many photons in small discs.
   std::optional<Color> irradiance(Vec3 position, Vec3 normal, float max_distance) const;
 
  private:

@@ -94,7 +94,7 @@ std::optional<ScatteringSample> RandomWalk::draw(Subpath& path, const PathVertex
   return scattering.sample(u_lobe, path.rng.next_vec2());
 }
 
-void RandomWalk::close_sums(Subpath& path, const PathVertex& vertex, const Scattering& scattering,
+void RandomWalk::close_sums(Subpath& path, const PathVertex& vertex,
                             const ScatteringSample& sample) const {
   if (sample.is_delta()) {
     // The discrete probability is the same from the other side: Fresnel's reflectance is.
@@ -102,7 +102,6 @@ void RandomWalk::close_sums(Subpath& path, const PathVertex& vertex, const Scatt
     path.merging_before_origin = path.sums.merging;
     return;
   }
-  path.pdf_backward = scattering.pdf_reverse(sample.wi) * vertex.survival;
   const bool from_light = mode_ == TransportMode::Importance;
   const float count = from_light ? weights_->count_before_light_vertex(vertex.length)
                                  : weights_->count_before_camera_vertex(vertex.length);
@@ -119,7 +118,11 @@ bool RandomWalk::scatter(Subpath& path, const PathVertex& vertex,
   const auto sample = draw(path, vertex, scattering);
   if (!sample || is_black(sample->weight)) return false;
 
-  if (weights_) close_sums(path, vertex, scattering, *sample);
+  if (!sample->is_delta()) {
+    // Also without weights: photons ask how sharp a scattering was from both ends.
+    path.pdf_backward = scattering.pdf_reverse(sample->wi) * vertex.survival;
+  }
+  if (weights_) close_sums(path, vertex, *sample);
   path.is_connectible = !sample->is_delta();
   path.is_specular_chain &= sample->is_delta();
   path.throughput = vertex.throughput * sample->weight / vertex.survival;

@@ -41,8 +41,7 @@ class RandomWalk {
   /// The vertex at the end of the segment.
   PathVertex arrive(const Subpath& path, const Hit& hit) const;
   /// The sums at the origin of the segment that leaves a vertex.
-  void close_sums(Subpath& path, const PathVertex& vertex, const Scattering& scattering,
-                  const ScatteringSample& sample) const;
+  void close_sums(Subpath& path, const PathVertex& vertex, const ScatteringSample& sample) const;
   /// How the path goes on from the vertex; empty if it ends.
   std::optional<ScatteringSample> draw(Subpath& path, const PathVertex& vertex,
                                        const Scattering& scattering) const;
