@@ -121,10 +121,10 @@ IrradianceMap::IrradianceMap(const PhotonMap& photons, const EstimateSettings& s
     if (!is_irradiance_point(photon)) continue;
     points.push_back({photon.position, photon.packed_normal, Color(0.0f), 0});
   }
-  // The disc of an estimate of k photons holds k/4 points, so that one of them is nearly always in
-  // reach. Where the reach would hold fewer than 5 it is made larger: bright estimates, whose discs
-  // are small, must not be those that are not found.
-  const float growth = std::max(1.0f, 5.0f * kPhotonsPerPoint / settings.neighbors);
+  // The disc of an estimate of k photons holds k/4 points, and k lie within twice its radius: so
+  // one is in reach nearly always. With less, bright estimates, whose discs are small, would be
+  // those that are not found.
+  constexpr float kReach = 2;
   parallel.for_each((points.size() + kPointsPerTask - 1) / kPointsPerTask, [&](size_t task) {
     const size_t end = std::min(points.size(), (task + 1) * kPointsPerTask);
     for (size_t i = task * kPointsPerTask; i < end; ++i) {
@@ -132,7 +132,7 @@ IrradianceMap::IrradianceMap(const PhotonMap& photons, const EstimateSettings& s
       const auto estimate = photons.irradiance(
           point.position, unpack_direction(point.packed_normal), settings, max_length);
       point.irradiance = estimate.value;
-      point.reach_squared = growth * estimate.radius_squared;
+      point.reach_squared = sqr(kReach) * estimate.radius_squared;
     }
   });
   tree_ = KdTree<Point>(points, parallel);
