@@ -23,23 +23,18 @@ struct Group {
 /// Groups below each other, and the room that they take.
 struct Column {
   std::vector<Group> groups;
-  float keys = 0;   // width, with a gap
-  float width = 0;  // of all
+  float keys = 0;  // width, with a gap
+  float labels = 0;
 
   void add(const Group& group) {
     constexpr float kGap = 14;
     groups.push_back(group);
-    float labels = 0;
     for (const Entry& entry : group.entries) {
       keys = std::max(keys, ImGui::CalcTextSize(entry.keys.c_str()).x + scaled(kGap));
+      labels = std::max(labels, ImGui::CalcTextSize(entry.label.c_str()).x);
     }
-    for (const Group& each : groups) {
-      for (const Entry& entry : each.entries) {
-        labels = std::max(labels, ImGui::CalcTextSize(entry.label.c_str()).x);
-      }
-    }
-    width = keys + labels;
   }
+  float width() const { return keys + labels; }
 };
 
 /// The key table by its groups, in the order of the table.
@@ -88,7 +83,7 @@ constexpr float kGapOfColumns = 26;
 
 float width_of(const std::vector<Column>& columns) {
   float width = scaled(kGapOfColumns) * static_cast<float>(columns.size() - 1);
-  for (const Column& column : columns) width += column.width;
+  for (const Column& column : columns) width += column.width();
   return width;
 }
 
@@ -123,7 +118,7 @@ void draw_columns(const std::vector<Column>& columns) {
     ImGui::BeginGroup();
     for (const Group& group : column.groups) draw_group(group, column.keys);
     ImGui::EndGroup();
-    left += column.width + scaled(kGapOfColumns);
+    left += column.width() + scaled(kGapOfColumns);
     if (&column != &columns.back()) ImGui::SameLine();
   }
 }
